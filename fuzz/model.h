@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fuzz.h"
+#include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/bodies/body_tree.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
@@ -40,6 +41,11 @@ inline void checkModel(const Result<Scene>& scene) {
   if (!scene) return;
   for (const std::string& warning : scene->warnings) checkLine(warning);
   follow(*scene);
+  // What its first animation shows in the middle.
+  if (scene->rig.animations.empty()) return;
+  const auto moment = posed(*scene, 0, double(scene->rig.animations[0].length_s) / 2.0);
+  checkError(moment);
+  if (moment) follow(*moment);
 }
 
 }  // namespace mirrorball::fuzz

@@ -394,6 +394,32 @@ void addScene(Corpus& corpus) {
           R"("KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,1,1,1],"glossinessFactor":1}}}])")));
 }
 
+/// A skin of two joints with a sparse morph target, moved in all three ways and by a pointer.
+void addAnimation(Corpus& corpus) {
+  testing::GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint8_t>{0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4");
+  maker.accessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4");
+  maker.view(std::vector<std::uint8_t>{1});
+  maker.view(std::vector<float>{0, 0, 1});
+  maker.rawAccessor(R"({"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":3,)"
+                    R"("componentType":5121},"values":{"bufferView":4}}})");
+  std::vector<float> binds(32, 0.0f);
+  for (const std::size_t i : {0, 5, 10, 15, 16, 21, 26, 31}) binds[i] = 1.0f;
+  maker.accessor(binds, "MAT4");
+  testing::AnimationMaker walk(maker);
+  walk.move(R"("node":1,"path":"rotation")", {0, 1}, {0, 0, 0, 1, 0, 1, 0, 0}, "VEC4")
+      .move(R"("node":0,"path":"weights")", {0, 1}, {0, 0, 0, 0, 1, 0}, "SCALAR", "CUBICSPLINE")
+      .move(R"("node":2,"path":"scale")", {0, 1}, {1, 1, 1, -1, 0, 2}, "VEC3", "STEP")
+      .point("/materials/0/pbrMetallicRoughness/roughnessFactor", {0, 1}, {0, 1}, "SCALAR");
+  corpus.add("gltf", "animation",
+             maker.glb(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},"material":0,"targets":)"
+                       R"([{"POSITION":3}]})",
+                       R"("materials":[{}],"nodes":[{"mesh":0,"skin":0,"weights":[1]},{"children":[2]},{"mesh":0}],)"
+                       R"("skins":[{"inverseBindMatrices":4,"joints":[1,2]}],"animations":[)" +
+                           walk.json() + "]"));
+}
+
 /// What MadeInput::number() reads.
 void append(Bytes& bytes, std::initializer_list<float> numbers) {
   for (const float number : numbers) {
@@ -463,6 +489,7 @@ int main(int count, char** arguments) {
   mirrorball::addDracoModels(corpus);
   mirrorball::addMeshoptModel(corpus);
   mirrorball::addScene(corpus);
+  mirrorball::addAnimation(corpus);
   mirrorball::addHeights(corpus);
   mirrorball::addTransfers(corpus);
   return corpus.failed ? 1 : 0;

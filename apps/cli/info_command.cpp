@@ -173,7 +173,8 @@ Command infoCommand() {
       .about = "FILE is a map, a table of `bake`, a built-in environment, a model (" + modelExtensions() +
                "), or - for standard input.",
       .examples = {{"info room.hdr", "format, size, projection and what told it, range and mean of the light"},
-                   {"info shoe.glb", "its variants, cameras and lights by their names, and what of it is left out"}}};
+                   {"info shoe.glb",
+                    "its variants, cameras, lights and animations by their names, and what of it is left out"}}};
   addArgument(command,
               {.name = "FILE",
                .help = "maps (" + std::string(readExtensions()) +

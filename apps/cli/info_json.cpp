@@ -75,6 +75,10 @@ Json jsonOfLight(const ModelLight& light) {
           {light.kind == formula::kLampDirectional ? "lux" : "candela", arrayOf(light.color)}};
 }
 
+Json jsonOfAnimation(const Animation& animation) {
+  return {{"name", animation.name}, {"seconds", numberOf(double(animation.length_s))}};
+}
+
 void add(const ModelInfo& model, Json& json) {
   const Scene& scene = model.scene;
   const BoundingSphere bounds = boundingSphere(scene);
@@ -88,6 +92,7 @@ void add(const ModelInfo& model, Json& json) {
   json["variants"] = scene.variants;
   json["cameras"] = arrayOfEach<ModelCamera>(scene.cameras, jsonOfCamera);
   json["lights"] = arrayOfEach<ModelLight>(scene.lights, jsonOfLight);
+  json["animations"] = arrayOfEach<Animation>(scene.rig.animations, jsonOfAnimation);
   json["notes"] = scene.warnings;
 }
 

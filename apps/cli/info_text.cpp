@@ -109,6 +109,8 @@ std::string lightText(const ModelLight& light) {
   return (light.kind == formula::kLampSpot ? "spot, " : "point, ") + shortText(light.color) + " cd";
 }
 
+std::string animationText(const Animation& animation) { return shortText(double(animation.length_s)) + " s"; }
+
 std::string textOf(const ModelInfo& model) {
   const Scene& scene = model.scene;
   const BoundingSphere bounds = boundingSphere(scene);
@@ -124,6 +126,7 @@ std::string textOf(const ModelInfo& model) {
   list("variants", scene.variants);
   list("cameras", described(scene.cameras, cameraText));
   list("lights", described(scene.lights, lightText));
+  list("animations", described(scene.rig.animations, animationText));
   for (const std::string& warning : scene.warnings) said += line("note", warning);
   return said;
 }

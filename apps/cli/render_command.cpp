@@ -15,6 +15,7 @@
 #include "cli/formatted.h"
 #include "cli/interruption.h"
 #include "cli/rays.h"
+#include "cli/render_frames.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
@@ -28,6 +29,7 @@
 #include "mirrorball/environment/builtin/sunset.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 
@@ -65,17 +67,6 @@ struct RenderRequest {
   GivenOptions given;
 };
 
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
-                         StageClock& clock, const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
-  if (storesLinearLight(output)) {
-    MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
-    return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
-  }
-  MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
-  return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });
-}
-
 /// Where a file name has a picture's number: "%04d" as printf has it, or at least two "#", a digit each.
 struct NumberPlace {
   std::size_t begin;
@@ -111,8 +102,16 @@ std::vector<NumberPlace> numberPlaces(const std::string& path) {
   return places;
 }
 
-/// With a turning environment the model stands still before the camera.
-FramingOf turningOf(Turn turn) { return turn == Turn::environment ? FramingOf::still : FramingOf::whole_turn; }
+/// Whether pictures are to go over the length of an animation.
+bool playsAnimation(const RenderRequest& request) {
+  const AnimationChoice& choice = request.scene.animation;
+  return request.turntable.frames > 0 && !choice.name.empty() && !choice.seconds;
+}
+
+/// Whether pictures are to make a full turn.
+bool turns(const RenderRequest& request) {
+  return request.turntable.frames > 0 && (!playsAnimation(request) || request.given.contains("turn"));
+}
 
 /// The pictures that are written: one, or a turntable's with their numbers.
 ///
@@ -136,31 +135,6 @@ Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
     paths.push_back(std::string(output).replace(places[0].begin, places[0].length, number));
   }
   return paths;
-}
-
-Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
-                             const std::vector<std::string>& paths, StageClock& clock) {
-  const ProgressFunction progress = progressBar("turntable", "pictures");
-  const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
-  const std::size_t frames = paths.size();
-  const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
-  const BoundingSphere still_bounds = renderer.bounds();
-  const glm::vec3 axis = settings.camera.target.value_or(still_bounds.center);
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    const float angle_deg = 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
-    FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
-    if (turntable.turn == Turn::object) {
-      MIRRORBALL_TRY_VOID(renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg)));
-      MIRRORBALL_TRY(standing, standingStill(of_frame, still, still_bounds, renderer.bounds()));
-      of_frame = standing;
-    }
-    const Result<void> drawn = renderFrame(renderer, of_frame, paths[frame], clock, untilInterrupted);
-    if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
-    const std::size_t whole = drawn ? frame + 1 : frame;
-    whenInterrupted(interruptedAfter(whole, frames));
-    if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
-  }
-  return {};
 }
 
 /// errors   usage: no such object is in the scene
@@ -187,9 +161,14 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
     return fail(ErrorCode::usage,
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
   const bool turns_view = request.turntable.turn == Turn::camera || request.turntable.turn == Turn::model;
-  if (request.turntable.frames > 0 && turns_view && !settings.camera.name.empty())
+  if (turns(request) && turns_view && !settings.camera.name.empty())
     return fail(ErrorCode::usage, "--frames: the camera '" + settings.camera.name +
                                       "' stands still; give --camera AZIMUTH,ELEVATION, or --turn environment");
+  if (playsAnimation(request) && request.turntable.turn == Turn::object)
+    return fail(ErrorCode::usage, "--turn " + std::to_string(request.turntable.object) +
+                                      ": objects go round in a model that stands still; give --animation a time, as "
+                                      "in " +
+                                      request.scene.animation.name + "@0");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
   if (settings.texgen == Texgen::light && settings.lights.empty())
@@ -226,6 +205,19 @@ void setTheStage(RenderRequest& request) {
   if (isFree("camera")) request.frame.camera.elevation_deg = 9.0f;
 }
 
+/// Draws what is asked for: one picture, or one after the other.
+Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderRequest& request,
+                       const std::vector<std::string>& outputs, StageClock& clock) {
+  const Turntable& turntable = request.turntable;
+  if (turntable.frames == 0) return renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
+  if (playsAnimation(request))
+    return renderAnimation(renderer, settings, {request.scene, request.materials, turntable, turns(request)}, outputs,
+                           clock);
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  settings.camera = framed(renderer.scene(), renderer.bounds(), settings.camera, aspect, framingOf(turntable.turn));
+  return renderTurntable(renderer, settings, turntable, outputs, clock);
+}
+
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
@@ -246,14 +238,7 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
   remarkOnIdleOptions(renderer.scene(), settings, request.given);
-  if (request.turntable.frames > 0) {
-    const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-    settings.camera =
-        framed(renderer.scene(), renderer.bounds(), settings.camera, aspect, turningOf(request.turntable.turn));
-  }
-  Result<void> drawn = request.turntable.frames > 0
-                           ? renderTurntable(renderer, settings, request.turntable, outputs, clock)
-                           : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
+  const Result<void> drawn = renderAll(renderer, settings, request, outputs, clock);
   if (request.scene.timings) clock.print();
   if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());
   return drawn;
@@ -278,6 +263,7 @@ Command renderCommand() {
   addOptions(command, qualityOptions(), request->scene, &request->given);
   addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
+  addOptions(command, animationOptions(), request->scene.animation);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);

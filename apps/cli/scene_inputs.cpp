@@ -96,7 +96,7 @@ Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const Materia
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
-                          .load_model = {.inside_only = request.inside_only},
+                          .load_model = {.inside_only = request.inside_only, .animation = request.animation},
                           .up = request.up,
                           .materials = materials,
                           .relief = look.relief,
@@ -217,6 +217,18 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
   if (inputs && !chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + chosen);
   return checkedInputs(std::move(inputs), request, outputs);
+}
+
+Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
+                           const FrameSettings& look, StageClock& clock) {
+  MIRRORBALL_TRY_VOID(withName(request.model, checkExtent(pose)));
+  standUpright(pose, request.up);
+  MIRRORBALL_TRY_VOID(changeMaterials(pose, materials));
+  MIRRORBALL_TRY_VOID(prepareRelief(pose, look.relief));
+  // Each is drawn once, and so is not kept for later.
+  if (look.occlusion != OcclusionKind::none)
+    MIRRORBALL_TRY_VOID(clock.time("model: occlusion", [&] { return findSceneOcclusion(pose, look, {}); }));
+  return pose;
 }
 
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,

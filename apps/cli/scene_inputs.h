@@ -18,6 +18,7 @@ struct SceneRequest {
   std::string model = "showcase";
   std::string environment = "studio";
   std::string from = {};
+  AnimationChoice animation = {};
   UpAxis up = UpAxis::y;
   Quality quality = Quality::draft;
   bool objects_move = false;  ///< among each other, in a turntable
@@ -70,6 +71,13 @@ Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& m
 /// errors   usage, before anything is loaded where it can be told then; as loadRenderInputs'
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials, FrameSettings& look,
                                 const GivenOptions& given, std::span<const std::string> outputs, StageClock& clock);
+
+/// Prepares a pose of a model as loadInputs does its first one.
+///
+/// look     filled in by loadInputs
+/// errors   as changeMaterials', prepareRelief's and findSceneOcclusion's; bad_file (it reaches too far)
+Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
+                           const FrameSettings& look, StageClock& clock);
 
 /// Loads model and environment for the reference, which needs no driver and no quality.
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,

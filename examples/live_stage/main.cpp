@@ -124,6 +124,7 @@ const std::vector<Technique>& techniques() {
       {"background", {"env", "blur", "transparent"}},
       {"env-rotation", {"0", "40", "200"}},
       {"camera", {"0,10", "40,25", "200,-10"}},
+      {"orthographic", {"0", "3"}},
       {"samples", {"1", "2", "3"}},
   };
   return all;
@@ -188,7 +189,7 @@ Result<void> Changes::changeMaterial(Shown& shown, Stage* stage) {
   // Without the orange, whose many bumps as triangles would take most of the time.
   constexpr std::array<const char*, 8> kNames{"mirror",    "rough-metal", "brushed-metal", "plastic",
                                               "car-paint", "velvet",      "soap-bubble",   "glass"};
-  switch (random_.below(5)) {
+  switch (random_.below(6)) {
     case 0: {
       const std::string name = random_.oneOf(kNames);
       what_ = "a material: " + name;
@@ -206,6 +207,12 @@ Result<void> Changes::changeMaterial(Shown& shown, Stage* stage) {
       material.height_texture = material.height == HeightKind::map ? 0 : -1;
       material.height_scale = 0.05f;
       material.height_frequency = 2.0f;
+      break;
+    case 3:
+      what_ = "sides and alpha";
+      material.double_sided = !material.double_sided;
+      material.alpha_mode = random_.below(2) == 0 ? AlphaMode::opaque : AlphaMode::blend;
+      material.opacity = 0.6f;
       break;
     default:
       what_ = "numbers of a material";
@@ -271,11 +278,30 @@ Result<void> Changes::loseContext(Stage* stage) {
   return stage->moveTo(device);
 }
 
-using Pictures = std::array<Image8, kViews>;
+/// One as a display shows it, one as radiance: their bytes.
+using Pictures = std::array<std::vector<std::uint8_t>, kViews>;
 
-/// Draws both views, a sample of each in turns.
-Result<Pictures> drawn(std::array<View, kViews>& views, const Shown& shown) {
-  for (std::size_t i = 0; i < kViews; ++i) MIRRORBALL_TRY_VOID(views[i].begin(shown.looks[i]));
+Result<std::vector<std::uint8_t>> bytesOf(View& view, Resolve resolve) {
+  if (resolve == Resolve::display) {
+    MIRRORBALL_TRY(picture, view.picture());
+    return std::vector<std::uint8_t>(picture.samples().begin(), picture.samples().end());
+  }
+  MIRRORBALL_TRY(radiance, view.radiance());
+  std::vector<std::uint8_t> bytes(radiance.samples().size_bytes());
+  std::memcpy(bytes.data(), radiance.samples().data(), bytes.size());
+  return bytes;
+}
+
+/// Draws both views, a sample of each in turns. A view whose settings are as before finds by itself what has changed.
+///
+/// looks   those of their last frames; none at first
+Result<Pictures> drawn(std::array<View, kViews>& views, const Shown& shown,
+                       std::array<std::optional<FrameSettings>, kViews>& looks) {
+  for (std::size_t i = 0; i < kViews; ++i) {
+    if (looks[i] == shown.looks[i]) continue;
+    MIRRORBALL_TRY_VOID(views[i].begin(shown.looks[i]));
+    looks[i] = shown.looks[i];
+  }
   for (bool is_whole = false; !is_whole;) {
     is_whole = true;
     for (std::size_t i = 0; i < kViews; ++i) {
@@ -285,8 +311,8 @@ Result<Pictures> drawn(std::array<View, kViews>& views, const Shown& shown) {
   }
   Pictures pictures;
   for (std::size_t i = 0; i < kViews; ++i) {
-    MIRRORBALL_TRY(picture, views[i].picture());
-    pictures[i] = std::move(picture);
+    MIRRORBALL_TRY(bytes, bytesOf(views[i], shown.looks[i].resolve));
+    pictures[i] = std::move(bytes);
   }
   return pictures;
 }
@@ -298,14 +324,15 @@ Result<Pictures> drawnAnew(const Shown& shown) {
   MIRRORBALL_TRY_VOID(stage.setEnvironment(environmentOf(shown.environment), cache()));
   MIRRORBALL_TRY_VOID(stage.setScene(shown.scene));
   std::array<View, kViews> views{View(stage), View(stage)};
-  return drawn(views, shown);
+  std::array<std::optional<FrameSettings>, kViews> looks;
+  return drawn(views, shown, looks);
 }
 
 /// A number for them (FNV-1a).
 std::uint64_t numberOf(const Pictures& pictures) {
   std::uint64_t number = 14695981039346656037u;
-  for (const Image8& picture : pictures)
-    for (const std::uint8_t byte : picture.samples()) number = (number ^ byte) * 1099511628211u;
+  for (const std::vector<std::uint8_t>& picture : pictures)
+    for (const std::uint8_t byte : picture) number = (number ^ byte) * 1099511628211u;
   return number;
 }
 
@@ -315,6 +342,7 @@ Result<Shown> firstShown() {
     look.size = {64, 64};
     look.samples = 2;
   }
+  shown.looks[1].resolve = Resolve::radiance;
   return shown;
 }
 
@@ -342,14 +370,15 @@ Result<bool> drive(const std::string& program, int changes) {
   stage.setCache(cache());
   MIRRORBALL_TRY_VOID(stage.setEnvironment(environmentOf(shown.environment), cache()));
   std::array<View, kViews> views{View(stage), View(stage)};
+  std::array<std::optional<FrameSettings>, kViews> looks;
   Changes random;
   bool are_same = true;
   for (int change = 1; change <= changes; ++change) {
     MIRRORBALL_TRY_VOID(random.next(shown, &stage));
-    MIRRORBALL_TRY(pictures, drawn(views, shown));
+    MIRRORBALL_TRY(pictures, drawn(views, shown, looks));
     MIRRORBALL_TRY(anew, drawnAnew(shown));
     for (std::size_t i = 0; i < kViews; ++i) {
-      if (std::ranges::equal(pictures[i].samples(), anew[i].samples())) continue;
+      if (pictures[i] == anew[i]) continue;
       are_same = false;
       std::printf("change %d (%s): view %zu differs from that of a new device\n", change, random.what().c_str(), i);
     }

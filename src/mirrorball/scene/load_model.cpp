@@ -13,6 +13,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/closed_surface.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/mesh_file/obj.h"
@@ -187,8 +188,24 @@ Result<void> checkExtent(const Scene& scene) {
                                        " units from the origin, more than can be drawn; scale the model down");
 }
 
+namespace {
+
+/// A scene that was read, as an animation shows it if one is chosen.
+Result<Scene> atMoment(Scene scene, const AnimationChoice& choice) {
+  if (!choice.name.empty()) {
+    MIRRORBALL_TRY(animation, chosenAnimation(scene, choice));
+    MIRRORBALL_TRY(moment, posed(std::move(scene), animation, double(choice.seconds.value_or(0.0f))));
+    scene = std::move(moment);
+  }
+  MIRRORBALL_TRY_VOID(checkExtent(scene));
+  return scene;
+}
+
+}  // namespace
+
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options) {
-  if (const auto index = indexOfName(name_or_path, builtinNames())) return builtinScene(*index);
+  if (const auto index = indexOfName(name_or_path, builtinNames()))
+    return atMoment(builtinScene(*index), options.animation);
   if (isUrl(name_or_path)) return tl::unexpected<Error>(downloadsNothing(name_or_path));
 
   std::error_code status;
@@ -197,8 +214,8 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
     if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
-    MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path, options)));
-    MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
+    MIRRORBALL_TRY(decoded, withName(name_or_path, format->decode(bytes, name_or_path, options)));
+    MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");
     else if (isFarAway(boundingSphere(scene)))

@@ -14,9 +14,10 @@ namespace mirrorball {
 /// Loads a model: a built-in by its name, else a file by its extension (modelExtensions), or of another name by its
 /// first bytes (binary glTF, PLY).
 ///
+/// options  with an animation, the scene is as that shows it (scene/animation/pose.h)
 /// returns  a scene whose every index is in range and every number finite: safe to draw
 /// errors   not_found (lists the built-ins); bad_file (key or byte named); unsupported (of a folder it names the models
-///          in it); too_large
+///          in it); too_large; usage (the model has no such animation)
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options = {});
 
 /// Refuses what lies or reaches so far away that shaders cannot tell distances, as loadModel does.

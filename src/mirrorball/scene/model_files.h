@@ -10,6 +10,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -19,6 +20,7 @@ struct ModelLoadOptions {
   /// Refuses the files that the model names outside of its folder, be it by `..` or through a symbolic link: for models
   /// from people who are not to learn what lies there.
   bool inside_only = false;
+  AnimationChoice animation = {};  ///< the moment that loadModel shows; none: the model is at rest
 
   bool operator==(const ModelLoadOptions&) const = default;
 };

@@ -45,6 +45,7 @@ void standUpright(Scene& scene, UpAxis up) {
   if (up == UpAxis::y) return;
   const glm::mat4 y_from_z(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 0, 1));
   for (Instance& instance : scene.instances) instance.world_from_object = y_from_z * instance.world_from_object;
+  scene.rig.world_from_roots = glm::dmat4(y_from_z) * scene.rig.world_from_roots;
   for (ModelCamera& camera : scene.cameras) camera.world_from_view = y_from_z * camera.world_from_view;
   for (ModelLight& light : scene.lights) {
     light.position = glm::vec3(y_from_z * glm::vec4(light.position, 1.0f));

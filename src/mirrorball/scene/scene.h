@@ -8,6 +8,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
+#include "mirrorball/scene/animation/rig.h"
 #include "mirrorball/scene/box.h"
 #include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/material/material.h"
@@ -88,6 +89,7 @@ struct Scene {
   std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()
   std::vector<std::string> warnings;  ///< what was left out of a file, one line each
   std::vector<std::string> files;     ///< that were read beside the model's own
+  Rig rig;                            ///< what animations move; of a model without them nothing
 
   bool empty() const { return instances.empty(); }
 };

@@ -17,6 +17,10 @@ class SharedPicture {
   SharedPicture() : SharedPicture(Image8()) {}
   SharedPicture(Image8 picture) : picture_(std::make_shared<Image8>(std::move(picture))) {}
 
+  // Without moving, after which there would be no picture.
+  SharedPicture(const SharedPicture&) = default;
+  SharedPicture& operator=(const SharedPicture&) = default;
+
   operator const Image8&() const { return *picture_; }
   int width() const { return picture_->width(); }
   int height() const { return picture_->height(); }

@@ -203,7 +203,9 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
 }
 
 std::function<void()> currentContextRestorer() {
-  if (!epoxy_has_egl() || eglGetCurrentContext() == EGL_NO_CONTEXT) return {};
+  if (!epoxy_has_egl()) return {};
+  if (eglGetCurrentContext() == EGL_NO_CONTEXT)
+    return [] { eglMakeCurrent(eglGetCurrentDisplay(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); };
   return [api = eglQueryAPI(), display = eglGetCurrentDisplay(), draw = eglGetCurrentSurface(EGL_DRAW),
           read = eglGetCurrentSurface(EGL_READ), context = eglGetCurrentContext()] {
     eglBindAPI(api);

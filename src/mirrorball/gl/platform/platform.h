@@ -35,8 +35,8 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api);
 /// known here.
 std::uintptr_t currentContext();
 
-/// Makes the context current again that is so now in the calling thread; null where none is, or where it is of a kind
-/// that is not known here.
+/// Makes the context current again that is so now in the calling thread, or none where none is. One of a kind that is
+/// not known here is taken for none.
 std::function<void()> currentContextRestorer();
 
 /// Which of both APIs the calling thread's current context has.

@@ -30,7 +30,6 @@ std::uintptr_t currentContext() { return static_cast<std::uintptr_t>(emscripten_
 
 std::function<void()> currentContextRestorer() {
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();
-  if (context == 0) return {};
   return [context] { emscripten_webgl_make_context_current(context); };
 }
 

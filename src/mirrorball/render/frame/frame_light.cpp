@@ -42,6 +42,7 @@ Result<void> FrameLight::makeGroundShadow(const StagedScene& staged, const glm::
   MIRRORBALL_TRY(sampler, light_->groundSampler());
   if (!ground_shadow_ || shadow_casters_ != casters) {
     ground_shadow_.reset();
+    proxy_.forgetShadow();
     MIRRORBALL_TRY(made, GroundShadow::make(device_->context.api(), staged.scene(), staged.bounds()));
     ground_shadow_ = std::move(made);
     shadow_casters_ = casters;

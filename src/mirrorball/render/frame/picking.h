@@ -14,9 +14,10 @@ namespace mirrorball {
 
 /// What is seen at a place of a picture.
 struct Picked {
-  std::size_t instance = 0;       ///< index into Scene::instances
-  std::size_t material = 0;       ///< index into Scene::materials
-  std::uint32_t triangle = 0;     ///< of the instance's mesh
+  std::size_t instance = 0;  ///< index into Scene::instances
+  std::size_t material = 0;  ///< index into Scene::materials
+  /// Of the instance's mesh; nothing where frames show it cut into smaller ones.
+  std::optional<std::uint32_t> triangle = {};
   glm::vec3 position{0.0f};       ///< world; of the relief where heights move the surface
   glm::vec3 smooth_normal{0.0f};  ///< world, unit, outwards: of the vertices
   glm::vec3 normal{0.0f};         ///< the same with heights and normal map

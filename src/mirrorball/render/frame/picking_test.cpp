@@ -61,6 +61,7 @@ TEST_F(PickingTest, TellsWhatIsSeenThere) {
   EXPECT_EQ(found->radiance, rgbAt(radiance, static_cast<int>(place.x), static_cast<int>(place.y)));
   EXPECT_EQ(picked(renderer, settings, {32.0f - per_unit * 0.6f, 32.0f})->instance, 0u);
   EXPECT_FALSE(picked(renderer, settings, {32.0f, 32.0f})) << "between the balls";
+  EXPECT_TRUE(found->triangle);
   EXPECT_FALSE(picked(renderer, settings, {-1.0f, 5.0f}));
   EXPECT_FALSE(picked(renderer, settings, {5.0f, 64.5f}));
 }
@@ -118,6 +119,8 @@ TEST_F(PickingTest, OfReliefThePlaceOfTheRelief) {
     deepest = std::min(deepest, deep->position.y);
   }
   EXPECT_LT(deepest, -0.1f) << "between bricks";
+  testing::set(settings, "relief", "geometry");
+  EXPECT_FALSE(picked(renderer, settings, {30.5f, 30.5f})->triangle) << "it is none of the plane's";
 }
 
 TEST_F(PickingTest, GlassRefractsBySnellsLaw) {

@@ -49,14 +49,15 @@ struct View::State {
   /// When the stage last changed.
   using Version = std::array<std::uint64_t, 2>;
   Version version() const { return {stage.state().scene.version(), stage.state().light.version()}; }
-  /// Whether what the last frame was begun with is still there.
-  bool isCurrent() const { return on->device == stage.device() && begun_of == version(); }
+  /// Whether the frame that is wanted has begun, of what the stage is now.
+  bool isCurrent() const { return is_begun && on->device == stage.device() && begun_of == version(); }
 
   Stage stage;
   std::unique_ptr<OnDevice, EndOnDevice> on;
-  FrameSettings settings = {};              ///< of the last frame
-  std::optional<Camera> given_camera = {};  ///< of it; else it is the settings'
-  Version begun_of = {};                    ///< the stage's version then
+  std::optional<FrameSettings> wanted = {};  ///< of the last frame that was asked for
+  std::optional<Camera> given_camera = {};   ///< of it; else it is the settings'
+  bool is_begun = false;                     ///< that frame
+  Version begun_of = {};                     ///< the stage's version then
 };
 
 View::View(const Stage& stage) : state_(std::make_unique<State>(stage)) {}
@@ -67,11 +68,12 @@ View::~View() = default;
 const Stage& View::stage() const { return state_->stage; }
 
 LightCost View::lightCost() const {
+  if (!state_->isCurrent()) return {};
   const OnDevice& on = *state_->on;
+  const FrameSettings& settings = *state_->wanted;
   const EnvironmentLight& light = on.light.light();
   const PrefilteredChain& chain = on.frame.prefiltered;
-  const LightReads reads =
-      lightReads(on.drawing.scene(), blurOf(state_->settings, light.cube(), chain), state_->settings);
+  const LightReads reads = lightReads(on.drawing.scene(), blurOf(settings, light.cube(), chain), settings);
   LightCost cost{.reads = reads.sum()};
   const FlatLight* flat = on.frame.flat;
   if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
@@ -125,29 +127,33 @@ Result<void> View::draw(const Camera& camera, const FrameSettings& settings, con
 }
 
 Result<void> View::begin(const FrameSettings& settings) {
+  state_->wanted = settings;
   state_->given_camera.reset();
-  return start(settings);
+  return start();
 }
 
 Result<void> View::begin(const Camera& camera, const FrameSettings& settings) {
+  state_->wanted = settings;
   state_->given_camera = camera;
-  return start(settings);
+  return start();
 }
 
 Result<void> View::enter() const { return state_->on->device.state().context.enter(); }
 
-Result<void> View::start(const FrameSettings& settings) {
+/// Begins the frame that is wanted.
+Result<void> View::start() {
   State& state = *state_;
+  state.is_begun = false;  // until all is there
   const Stage::State& staged = state.stage.state();
-  assert(staged.light.has() && "a frame needs an environment");
-  state.begun_of = {};  // until all is there
+  if (!state.wanted) return fail(ErrorCode::usage, "no frame has been asked for");
+  if (!staged.light.has()) return fail(ErrorCode::usage, "the stage has no environment, whose light a frame needs");
+  const FrameSettings& settings = *state.wanted;
   if (state.on->device != state.stage.device()) state.on.reset(new OnDevice(state.stage));
+  MIRRORBALL_TRY_VOID(enter());
   OnDevice& on = *state.on;
   const gl::Api api = on.device.state().context.api();
-  MIRRORBALL_TRY_VOID(enter());
   MIRRORBALL_TRY(form, state.stage.state().formFor(settings));
   on.drawing.show(form);
-  state.settings = settings;
   if (state.given_camera) {
     on.frame.camera = *state.given_camera;
   } else {
@@ -165,30 +171,42 @@ Result<void> View::start(const FrameSettings& settings) {
   MIRRORBALL_TRY_VOID(on.probes.begin(api, on.drawing, on.light.light(), staged.light.version(), settings, on.frame));
   if (coordinateChoice(form->scene(), settings).is_sphere_map) MIRRORBALL_TRY_VOID(on.light.makeSphereMap(on.frame));
   state.begun_of = state.version();
+  state.is_begun = true;
   return {};
+}
+
+bool View::isDone() const { return state_->isCurrent() && state_->on->samples->count() == state_->wanted->samples; }
+
+const Camera& View::camera() const { return state_->on->frame.camera; }
+
+Result<void> View::enterDrawn() const {
+  if (!state_->is_begun || state_->on->samples->count() == 0)
+    return fail(ErrorCode::usage, "no sample of the frame has been drawn");
+  return enter();
 }
 
 Result<int> View::drawSample() {
   State& state = *state_;
-  if (!state.isCurrent()) MIRRORBALL_TRY_VOID(start(FrameSettings(state.settings)));
+  if (!state.isCurrent()) MIRRORBALL_TRY_VOID(start());
   MIRRORBALL_TRY_VOID(enter());
   OnDevice& on = *state.on;
-  const int samples = state.settings.samples;
+  const FrameSettings& settings = *state.wanted;
   const int drawn = on.samples->count();
-  if (drawn == samples) return samples;
-  const glm::vec2 offset_px = formula::sampleOffset(drawn, samples) - 0.5f;
+  if (drawn == settings.samples) return drawn;
+  const glm::vec2 offset_px = formula::sampleOffset(drawn, settings.samples) - 0.5f;
   FrameUniforms of_sample = on.frame;
-  of_sample.camera = shifted(on.frame.camera, offset_px, state.settings.size);
+  of_sample.camera = shifted(on.frame.camera, offset_px, settings.size);
   of_sample.sample = drawn;
-  MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, state.settings));
+  MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, settings));
   on.samples->add();
   return on.samples->count();
 }
 
 Result<void> View::show(unsigned framebuffer, glm::ivec2 corner) const {
-  MIRRORBALL_TRY_VOID(enter());
+  MIRRORBALL_TRY_VOID(enterDrawn());
+  const glm::ivec2 size = state_->wanted->size;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(corner.x, corner.y, state_->settings.size.x, state_->settings.size.y);
+  glViewport(corner.x, corner.y, size.x, size.y);
   // What is written is encoded already.
   const bool encodes = state_->on->device.state().context.api() == gl::Api::desktop43;
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
@@ -198,26 +216,32 @@ Result<void> View::show(unsigned framebuffer, glm::ivec2 corner) const {
 }
 
 Result<std::optional<Picked>> View::pick(glm::vec2 place) {
+  MIRRORBALL_TRY_VOID(enterDrawn());
+  if (!state_->isCurrent())
+    return fail(ErrorCode::usage, "the stage has changed since the frame was drawn; draw a sample first");
   OnDevice& on = *state_->on;
-  const FrameSettings& settings = state_->settings;
+  const FrameSettings& settings = *state_->wanted;
   const glm::ivec2 pixel(glm::floor(place));
   if (glm::any(glm::lessThan(pixel, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(pixel, settings.size)))
     return std::optional<Picked>();
-  MIRRORBALL_TRY_VOID(enter());
   MIRRORBALL_TRY(geometry, on.drawing.staged().geometry());
   const EyeRay ray = EyeRays(on.frame.camera, settings.size).through(place);
-  std::optional<Picked> picked = pickAlong(ray, on.drawing.scene(), *geometry, settings);
-  if (picked) picked->radiance = on.samples->lastRadiance(pixel);
+  const Scene& shown = on.drawing.scene();
+  std::optional<Picked> picked = pickAlong(ray, shown, *geometry, settings);
+  if (!picked) return picked;
+  picked->radiance = on.samples->lastRadiance(pixel);
+  const auto mesh = static_cast<std::size_t>(shown.instances[picked->instance].mesh);
+  if (shown.meshes[mesh].indices.size() != state_->stage.scene().meshes[mesh].indices.size()) picked->triangle.reset();
   return picked;
 }
 
 Result<Image> View::radiance() const {
-  MIRRORBALL_TRY_VOID(enter());
+  MIRRORBALL_TRY_VOID(enterDrawn());
   return state_->on->samples->radiance();
 }
 
 Result<Image8> View::picture() {
-  MIRRORBALL_TRY_VOID(enter());
+  MIRRORBALL_TRY_VOID(enterDrawn());
   return state_->on->samples->picture();
 }
 

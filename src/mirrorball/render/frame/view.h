@@ -49,7 +49,7 @@ class View {
   /// Draws a frame; `radiance`, `picture` and `show` then give this frame.
   ///
   /// errors    too_large; no_gl (also: the driver cannot draw floats); unsupported (it does not compile a shader);
-  ///           interrupted (when `progress` says so)
+  ///           interrupted (when `progress` says so); usage (the stage has no environment)
   Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
   /// The same with another camera than that of the settings.
   Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
@@ -60,11 +60,18 @@ class View {
   Result<void> begin(const FrameSettings& settings);
   Result<void> begin(const Camera& camera, const FrameSettings& settings);
   /// Draws the next sample of all pixels of the frame, if there is one left. Where the stage has changed since it
-  /// began, it begins again.
+  /// began, or it could not begin, it begins again.
   ///
   /// returns  how many there are now
   /// errors   as draw's
   Result<int> drawSample();
+
+  /// Whether all samples of the frame have been drawn, of what the stage is now: then drawSample has nothing to do.
+  bool isDone() const;
+  /// Of the last frame.
+  const Camera& camera() const;
+
+  // What has been drawn. Before the first sample of a frame they fail with `usage`.
 
   /// Shows the mean of the samples that there are in a framebuffer, as a picture: exposed, tone mapped and encoded, row
   /// 0 at the bottom.
@@ -85,11 +92,12 @@ class View {
   /// (pickAlong). At least one sample must have been drawn.
   ///
   /// returns  nothing: the background, or the place is outside
-  /// errors   no_gl; too_large
-  /// cost     some microseconds; after a change of meshes, places or heights, sorting the triangles (Geometry::make)
+  /// errors   usage (the stage has changed since); no_gl; too_large
+  /// cost     some microseconds; after a change of meshes, places or of what materials are made of, sorting the
+  ///          triangles (Geometry::make)
   Result<std::optional<Picked>> pick(glm::vec2 place);
 
-  /// Of the last frame, without its background.
+  /// Of the last frame, without its background; nothing if the stage has changed since.
   LightCost lightCost() const;
   /// How often a probe was captured until now: only what has changed is captured again.
   int probeCaptures() const;
@@ -97,8 +105,10 @@ class View {
  private:
   struct OnDevice;
   struct State;
-  Result<void> start(const FrameSettings& settings);
+  Result<void> start();
   Result<void> enter() const;
+  /// errors   usage (nothing has been drawn); no_gl
+  Result<void> enterDrawn() const;
   std::unique_ptr<State> state_;
 };
 

@@ -43,7 +43,12 @@ class ProxyUniforms {
   /// Must be called when the scene is another one, whose shadow is, too.
   void forgetScene() {
     options_.reset();
+    forgetShadow();
+  }
+  /// Must be called when the shadow is no more.
+  void forgetShadow() {
     shadow_ = nullptr;
+    block_.reset();
   }
 
   const Proxy& proxy() const { return proxy_; }

@@ -17,11 +17,12 @@ struct StagePart {
   static constexpr unsigned meshes = 1u << 0;      ///< and which of them there are, and with which material
   static constexpr unsigned transforms = 1u << 1;  ///< where they are
   static constexpr unsigned occlusion = 1u << 2;   ///< Instance::occlusion, vertex_materials and holes
-  static constexpr unsigned materials = 1u << 3;   ///< their numbers, and which textures they have
-  static constexpr unsigned lights = 1u << 4;      ///< the scene's own
-  static constexpr unsigned environment = 1u << 5;
-  static constexpr unsigned scene = meshes | transforms | occlusion | materials | lights;
-  static constexpr std::size_t count = 6;
+  static constexpr unsigned materials = 1u << 3;   ///< anything of them
+  static constexpr unsigned shapes = 1u << 4;  ///< what of materials is more than light on a surface: changesShape()
+  static constexpr unsigned lights = 1u << 5;  ///< the scene's own
+  static constexpr unsigned environment = 1u << 6;
+  static constexpr unsigned scene = meshes | transforms | occlusion | materials | shapes | lights;
+  static constexpr std::size_t count = 7;
 };
 
 /// When each part last changed. No two changes in a process have the same number, be they of one stage or of two.

@@ -20,8 +20,9 @@ void endDevice(Device::State* state) {
 Result<void> Device::State::prepare() {
   if (depth_pass_) return {};
   if (!surfaces_) {
-    MIRRORBALL_TRY(table, brdf_table_.get());
-    MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), table));
+    if (brdf_table_.valid()) table_ = brdf_table_.get();
+    if (!table_) return tl::unexpected<Error>(table_.error());
+    MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), *table_));
     surfaces_ = std::move(made);
   }
   MIRRORBALL_TRY(depth_pass, DepthPass::make(context.api()));

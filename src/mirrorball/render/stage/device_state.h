@@ -34,6 +34,7 @@ struct Device::State {
 
  private:
   std::future<Result<Image>> brdf_table_;
+  Result<Image> table_;  ///< what came of it
   std::optional<SurfacePrograms> surfaces_;
   std::optional<DepthPass> depth_pass_;
 };

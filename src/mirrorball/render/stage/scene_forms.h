@@ -26,7 +26,8 @@ class SceneForms {
 
   /// errors   too_large, and those of preparing it again; then it is as before
   Result<void> setMaterial(std::size_t index, Material material);
-  void setTransform(std::size_t instance, const glm::mat4& world_from_object);
+  /// errors   too_large; then it is as before
+  Result<void> setTransform(std::size_t instance, const glm::mat4& world_from_object);
   void setLights(std::vector<ModelLight> lights);
 
   /// As it was given, with its changes.
@@ -36,12 +37,14 @@ class SceneForms {
   /// Another number after each change.
   std::uint64_t version() const { return versions_.of(StagePart::scene); }
 
-  /// The form that frames show, made when they first ask for it. The last few are kept.
+  /// The form that frames show, made when they first ask for it; kept while it is held, and the last few longer.
   ///
   /// errors   as prepareScene's; too_large (a texture for this driver)
   Result<std::shared_ptr<StagedScene>> formFor(const ScenePreparation& preparation, const PreparationMeans& means);
 
  private:
+  Result<void> forgetGivenOcclusion();
+
   struct Form {
     ScenePreparation preparation;
     std::shared_ptr<Scene> scene;

@@ -33,9 +33,18 @@ bool isReliefPrepared(const Scene& scene, ReliefKind relief) {
   return std::none_of(scene.height_textures.begin(), scene.height_textures.end(), lacks_search);
 }
 
-bool knowsOcclusion(const Scene& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(),
-                     [](const Instance& each) { return !each.occlusion.empty(); });
+/// Whether all that is to be found is known of each instance.
+bool knowsOcclusion(const Scene& scene, const SceneOcclusionSettings& settings) {
+  return std::all_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& each) {
+    const bool is_empty = scene.meshes[std::size_t(each.mesh)].vertices.empty();
+    return is_empty || (!each.occlusion.empty() && (!settings.finds_materials || !each.vertex_materials.empty()));
+  });
+}
+
+std::size_t verticesOf(const Scene& scene) {
+  std::size_t vertices = 0;
+  for (const Mesh& mesh : scene.meshes) vertices += mesh.vertices.size();
+  return vertices;
 }
 
 }  // namespace
@@ -53,12 +62,26 @@ ScenePreparation preparationFor(const FrameSettings& settings) {
 
 bool isPrepared(const Scene& scene, const ScenePreparation& preparation) {
   return isReliefPrepared(scene, preparation.relief) &&
-         (!preparation.finds_occlusion || scene.empty() || knowsOcclusion(scene));
+         (!preparation.finds_occlusion || knowsOcclusion(scene, preparation.occlusion));
+}
+
+bool forgetOcclusion(Scene& scene) {
+  bool knew = false;
+  for (Instance& instance : scene.instances) {
+    knew = knew || !instance.occlusion.empty();
+    instance.occlusion.clear();
+    instance.vertex_materials.clear();
+    instance.holes.clear();
+  }
+  return knew;
 }
 
 Result<void> prepareScene(Scene& scene, const ScenePreparation& preparation, const PreparationMeans& means) {
+  const std::size_t vertices = verticesOf(scene);
   MIRRORBALL_TRY_VOID(prepareRelief(scene, preparation.relief, means.largest_texture));
-  if (!preparation.finds_occlusion || scene.empty() || knowsOcclusion(scene)) return {};
+  if (verticesOf(scene) != vertices) forgetOcclusion(scene);  // which was of others
+  if (!preparation.finds_occlusion || knowsOcclusion(scene, preparation.occlusion)) return {};
+  forgetOcclusion(scene);
   return findOcclusionOnce(scene, preparation.occlusion, means.cache, means.progress);
 }
 

@@ -33,6 +33,11 @@ SceneOcclusionSettings occlusionSettingsFor(const FrameSettings& settings);
 /// has found it.
 bool isPrepared(const Scene& scene, const ScenePreparation& preparation);
 
+/// Leaves what vertices knew of a scene that has changed to be found again.
+///
+/// returns  whether they knew something
+bool forgetOcclusion(Scene& scene);
+
 /// What preparing takes beside the scene.
 struct PreparationMeans {
   std::function<int()> largest_texture = {};  ///< as of prepareRelief

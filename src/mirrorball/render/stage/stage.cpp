@@ -1,6 +1,7 @@
 #include "mirrorball/render/stage/stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -19,10 +20,22 @@ Result<void> checkTextures(const Scene& scene, const Material& material) {
       return fail(ErrorCode::usage, std::string(map.name) + ": texture " +
                                         std::to_string((material.*map.slot).texture) + " of a scene of " +
                                         counted(scene.textures.size(), "texture"));
+  if (material.height_texture >= static_cast<int>(scene.height_textures.size()))
+    return fail(ErrorCode::usage, "height_texture: " + std::to_string(material.height_texture) + " of a scene of " +
+                                      counted(scene.height_textures.size(), "texture") + " of heights");
   if (material.slope_texture >= static_cast<int>(scene.slope_textures.size()))
     return fail(ErrorCode::usage, "slope_texture: " + std::to_string(material.slope_texture) + " of a scene of " +
                                       counted(scene.slope_textures.size(), "texture") + " of slopes");
   return {};
+}
+
+/// errors   usage: it is no placing without mirroring
+Result<void> checkTransform(std::size_t instance, const glm::mat4& world_from_object) {
+  const float volume = glm::determinant(glm::mat3(world_from_object));
+  if (volume >= 0.0f && std::isfinite(volume) && std::isfinite(glm::length(glm::vec3(world_from_object[3])))) return {};
+  return fail(ErrorCode::usage, "instance " + std::to_string(instance) +
+                                    (volume < 0.0f ? " would be mirrored; mirror its mesh"
+                                                   : ": its matrix has numbers that are not finite"));
 }
 
 }  // namespace
@@ -75,8 +88,9 @@ Result<void> Stage::setTransform(std::size_t instance, const glm::mat4& world_fr
   if (instance >= scene().instances.size())
     return fail(ErrorCode::usage, "instance " + std::to_string(instance) + " of a scene of " +
                                       counted(scene().instances.size(), "instance"));
-  state_->scene.setTransform(instance, world_from_object);
-  return {};
+  MIRRORBALL_TRY_VOID(checkTransform(instance, world_from_object));
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  return state_->scene.setTransform(instance, world_from_object);
 }
 
 Result<void> Stage::moveInstances(const std::vector<Instance>& instances) {
@@ -86,7 +100,8 @@ Result<void> Stage::moveInstances(const std::vector<Instance>& instances) {
   if (!are_same)
     return fail(ErrorCode::usage, "the instances that are to be moved are not those of the scene, which has " +
                                       std::to_string(shown.size()));
-  for (std::size_t i = 0; i < instances.size(); ++i) state_->scene.setTransform(i, instances[i].world_from_object);
+  for (std::size_t i = 0; i < instances.size(); ++i)
+    MIRRORBALL_TRY_VOID(setTransform(i, instances[i].world_from_object));
   return {};
 }
 

@@ -49,13 +49,16 @@ class Stage {
   ///
   /// errors   usage (there is no such material, or a texture of it is not in the scene); no_gl; too_large: then it is
   ///          as before
-  /// cost     one uniform block is sent; where it has other textures or heights, the meshes again. What vertices know
-  ///          of the scene is found again when a frame next asks for it
+  /// cost     one uniform block is sent, and what a frame has that depends on colours is made again when it is next
+  ///          drawn: probes, a ground's shadow, reflections in the scene itself. Of a body also its triangles are sorted
+  ///          anew; with other textures or heights, the meshes are sent again. What vertices know of the scene is found
+  ///          again when a frame next asks for it
   Result<void> setMaterial(std::size_t index, Material material);
 
-  /// Puts an instance elsewhere, without mirroring.
+  /// Puts an instance elsewhere. What vertices knew of the scene is found again when a frame next asks for it, and a
+  /// camera that is framed by the scene moves with it.
   ///
-  /// errors   usage (there is no such instance)
+  /// errors   usage (there is no such instance; it would be mirrored, or is not finite); no_gl; too_large
   Result<void> setTransform(std::size_t instance, const glm::mat4& world_from_object);
   /// Puts all instances elsewhere.
   ///
@@ -71,8 +74,8 @@ class Stage {
   void setCache(const std::optional<CacheFolder>& cache);
 
   /// Makes what frames with those settings show of the scene: their relief (prepareRelief), and what vertices know of
-  /// the scene (findOcclusion), unless it knows that already. Views do so where it has not been done; here it tells how
-  /// far it is.
+  /// the scene (findOcclusion), unless it knows that already. Views do so where it has not been done, which may take
+  /// seconds; here it tells how far it is. A form of the scene that is made so has meshes and heights of its own.
   ///
   /// errors   no_gl; interrupted; too_large
   Result<void> prepare(const FrameSettings& settings, const ProgressFunction& progress = {});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/render/frame/view.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/render/stage/stage_state.h"
@@ -68,19 +70,111 @@ MIRRORBALL_WITH_BOTH_APIS(StageTest);
 
 TEST_P(StageTest, ANumberOfAMaterialSendsOneBlock) {
   View view(stage());
-  const std::vector<float> before = pictureOf(view, smallFrame());
+  std::vector<float> picture = pictureOf(view, smallFrame());
   SceneBlocks& blocks = formFor(smallFrame())->buffers().blocks();
-  const std::size_t sent = blocks.bytesSent();
-  Material material = stage().scene().materials[1];
-  material.base_color = {1.0f, 0.0f, 0.0f};
-  ASSERT_TRUE(stage().setMaterial(1, material));
-  EXPECT_NE(pictureOf(view, smallFrame()), before);
-  const std::size_t of_change = blocks.bytesSent() - sent;
-  EXPECT_GT(of_change, 0u);
-  EXPECT_LT(of_change, 2048u) << "as much as one material";
-  RecordProperty("bytes", static_cast<int>(of_change));
-  EXPECT_EQ(pictureOf(view, smallFrame()), pictureOf(view, smallFrame()));
-  EXPECT_EQ(blocks.bytesSent(), sent + of_change) << "no change sends nothing";
+  const auto sentFor = [&](const std::vector<std::size_t>& changed) {
+    const std::size_t before = blocks.bytesSent();
+    for (const std::size_t index : changed) {
+      Material material = stage().scene().materials[index];
+      material.base_color.y *= 0.5f;
+      EXPECT_TRUE(stage().setMaterial(index, material));
+    }
+    EXPECT_NE(std::exchange(picture, pictureOf(view, smallFrame())) == picture, !changed.empty());
+    return blocks.bytesSent() - before;
+  };
+  EXPECT_EQ(sentFor({}), 0u);
+  const std::size_t of_one = sentFor({1});
+  EXPECT_GT(of_one, 0u);
+  EXPECT_EQ(sentFor({0}), of_one);
+  EXPECT_EQ(sentFor({0, 1}), 2 * of_one);
+  RecordProperty("bytes", static_cast<int>(of_one));
+}
+
+// Each kind of light is sorted, drawn or captured anew only by what it depends on.
+TEST_P(StageTest, AColorSortsNoTriangles) {
+  const auto form = formFor(smallFrame());
+  const auto change = [&](auto&& set) {
+    Material material = stage().scene().materials[0];
+    set(material);
+    ASSERT_TRUE(stage().setMaterial(0, material));
+  };
+  const std::uint64_t shapes = form->version(StagePart::shapes), materials = form->version(StagePart::materials);
+  change([](Material& m) { m.base_color.x = 0.3f; });
+  change([](Material& m) { m.perceptual_roughness = 0.3f; });
+  EXPECT_EQ(form->version(StagePart::shapes), shapes);
+  EXPECT_NE(form->version(StagePart::materials), materials);
+  change([](Material& m) { m.transmission = 1.0f; });
+  const std::uint64_t of_glass = form->version(StagePart::shapes);
+  EXPECT_NE(of_glass, shapes);
+  change([](Material& m) { m.double_sided = true; });
+  EXPECT_NE(form->version(StagePart::shapes), of_glass);
+}
+
+// A view of one device may be made and end while another's context is current.
+TEST_P(StageTest, AViewTouchesNothingOfAnotherDevice) {
+  View shown(stage());
+  const std::vector<float> picture = pictureOf(shown, smallFrame());
+  {
+    const auto other = gl::Context::createHeadless(GetParam());
+    ASSERT_TRUE(other);
+    std::vector<View> views;
+    for (int i = 0; i < 8; ++i) views.emplace_back(stage());
+  }
+  EXPECT_EQ(pictureOf(shown, smallFrame()), picture);
+}
+
+TEST_P(StageTest, AFrameThatCannotBeginShowsNothing) {
+  View view(stage());
+  EXPECT_FALSE(view.drawSample()) << "no frame has been asked for";
+  EXPECT_FALSE(view.picture());
+  EXPECT_FALSE(view.pick({1.0f, 1.0f}));
+  EXPECT_FALSE(view.show(0));
+  const std::vector<float> picture = pictureOf(view, smallFrame());
+  EXPECT_TRUE(view.isDone());
+  FrameSettings huge = smallFrame();
+  huge.size = {1 << 20, 1 << 20};
+  ASSERT_FALSE(view.begin(huge));
+  EXPECT_FALSE(view.isDone());
+  EXPECT_FALSE(view.radiance());
+  EXPECT_FALSE(view.pick({1.0f, 1.0f}));
+  EXPECT_FALSE(view.drawSample()) << "it begins again, and cannot";
+  EXPECT_EQ(pictureOf(view, smallFrame()), picture);
+  EXPECT_FALSE(View(Stage(stage().device())).draw(smallFrame())) << "it has no light";
+}
+
+// What the caller has found is renewed once the scene has changed, and completed where it lacks something.
+TEST_P(StageTest, OcclusionThatWasGivenIsNotKeptTooLong) {
+  Scene known = pairOfBalls();
+  ASSERT_TRUE(findOcclusionOnce(known, {.rays = 16}, {}));
+  ASSERT_TRUE(stage().setScene(known));
+  FrameSettings hidden = smallFrame();
+  hidden.occlusion = OcclusionKind::vertex;
+  EXPECT_EQ(formFor(hidden), formFor(smallFrame())) << "it is known";
+  FrameSettings mirrored = hidden;
+  mirrored.self_reflection = true;
+  EXPECT_FALSE(formFor(mirrored)->scene().instances[0].vertex_materials.empty());
+  hidden.relief = ReliefKind::geometry;
+  EXPECT_TRUE(stage().prepare(hidden, {}));
+  hidden.relief = ReliefKind::bump;
+  ASSERT_TRUE(stage().setTransform(0, glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 3.0f, 0.0f))));
+  EXPECT_NE(formFor(hidden), formFor(smallFrame())) << "it is found again";
+  EXPECT_TRUE(formFor(smallFrame())->scene().instances[0].occlusion.empty());
+}
+
+// Five panes of a window, each with a form of its own, which no other takes away.
+TEST_P(StageTest, FormsThatAreShownAreKept) {
+  Scene scene = pairOfBalls();
+  scene.materials[1].height = HeightKind::brick;
+  ASSERT_TRUE(stage().setScene(scene));
+  std::vector<FrameSettings> looks(5, smallFrame());
+  testing::set(looks[0], "relief", "bump");
+  testing::set(looks[1], "relief", "steep");
+  testing::set(looks[2], "relief", "cone");
+  testing::set(looks[3], "relief", "geometry");
+  testing::set(looks[4], "occlusion", "vertex");
+  std::vector<std::shared_ptr<StagedScene>> held;
+  for (const FrameSettings& look : looks) held.push_back(formFor(look));
+  for (std::size_t i = 0; i < looks.size(); ++i) EXPECT_EQ(formFor(looks[i]), held[i]) << i;
 }
 
 TEST_P(StageTest, AChangeBeginsAViewAgain) {
@@ -168,6 +262,11 @@ TEST_P(StageTest, WhatIsNotThereIsTold) {
   Material painted;
   painted.normal_map.texture = 3;
   EXPECT_THAT(failure(stage().setMaterial(0, painted)), HasSubstr("normal_map: texture 3 of a scene of 0 textures"));
+  Material deep;
+  deep.height_texture = 5;
+  EXPECT_THAT(failure(stage().setMaterial(0, deep)), HasSubstr("height_texture: 5 of a scene of 0 textures"));
+  EXPECT_THAT(failure(stage().setTransform(0, glm::scale(glm::mat4(1.0f), {-1, 1, 1}))), HasSubstr("mirrored"));
+  EXPECT_THAT(failure(stage().setTransform(0, glm::mat4(NAN))), HasSubstr("not finite"));
   EXPECT_THAT(failure(stage().setTransform(2, glm::mat4(1.0f))), HasSubstr("instance 2 of a scene of 2 instances"));
   EXPECT_THAT(failure(stage().setLights(std::vector<ModelLight>(33))), HasSubstr("33 lights"));
   EXPECT_THAT(failure(stage().moveInstances({{}})), HasSubstr("not those of the scene"));

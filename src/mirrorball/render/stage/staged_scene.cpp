@@ -1,7 +1,9 @@
 #include "mirrorball/render/stage/staged_scene.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "mirrorball/render/light/probe_places.h"
@@ -32,11 +34,27 @@ Result<gl::Texture> wordsOf(const BodyTree& tree, const char* what) {
 
 }  // namespace
 
-bool areDrawnAlike(const Material& a, const Material& b) {
+bool haveSameBuffers(const Material& a, const Material& b) {
   for (const MaterialMap& map : materialMaps())
     if ((a.*map.slot).texture != (b.*map.slot).texture) return false;
   return a.slope_texture == b.slope_texture && a.height == b.height && a.height_texture == b.height_texture &&
          a.height_scale == b.height_scale && a.height_frequency == b.height_frequency;
+}
+
+bool changesShape(const Material& a, const Material& b) {
+  // `b` with all of `a` that is only light on its surface.
+  formula::Material lit_alike = b;
+  for (float formula::Material::*const number :
+       {&formula::Material::metallic, &formula::Material::perceptual_roughness, &formula::Material::specular})
+    lit_alike.*number = a.*number;
+  for (glm::vec3 formula::Material::*const color : {&formula::Material::base_color, &formula::Material::specular_color,
+                                                    &formula::Material::emission, &formula::Material::sheen_color})
+    lit_alike.*color = a.*color;
+  static_assert(std::is_trivially_copyable_v<formula::Material> && alignof(formula::Material) == sizeof(float));
+  const formula::Material& of_a = a;
+  return std::memcmp(&lit_alike, &of_a, sizeof of_a) != 0 || a.alpha_mode != b.alpha_mode ||
+         a.double_sided != b.double_sided || a.unlit != b.unlit || a.thin_walled != b.thin_walled ||
+         a.priority != b.priority;
 }
 
 Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike) {
@@ -49,9 +67,10 @@ void StagedScene::transformChanged(std::size_t instance) {
   versions_.change(StagePart::transforms);
 }
 
-void StagedScene::materialChanged(std::size_t index) {
+void StagedScene::materialChanged(std::size_t index, const Material& before) {
   buffers_.blocks().materialChanged(scene(), index);
-  versions_.change(StagePart::materials);
+  versions_.change(changesShape(before, scene().materials[index]) ? StagePart::materials | StagePart::shapes
+                                                                  : StagePart::materials);
 }
 
 const BoundingSphere& StagedScene::bounds() const {

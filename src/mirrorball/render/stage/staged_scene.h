@@ -33,15 +33,15 @@ struct InstanceTraits {
 /// A scene on the GPU, whose parts change one by one, and what is computed from it for all views.
 class StagedScene {
  public:
-  /// scene    changed by this object's calls alone, or before `mapsChanged` and the like
+  /// scene    of which no other parts change than those that are told below
   /// alike    of another form of the same scene, whose textures are shared; optional
   /// errors   too_large (a texture for this driver)
   static Result<std::shared_ptr<StagedScene>> make(std::shared_ptr<const Scene> scene, const StagedScene* alike = {});
 
   // Must be called when a part of the scene has become another one.
   void transformChanged(std::size_t instance);
-  /// Of its numbers alone (areDrawnAlike).
-  void materialChanged(std::size_t index);
+  /// Of its numbers alone (haveSameBuffers).
+  void materialChanged(std::size_t index, const Material& before);
   void lightsChanged() { versions_.change(StagePart::lights); }
 
   const Scene& scene() const { return *scene_; }
@@ -98,18 +98,21 @@ class StagedScene {
   mutable Derived<BoundingSphere> bounds_{StagePart::meshes | StagePart::transforms};
   mutable Derived<Box> box_{StagePart::meshes | StagePart::transforms};
   mutable Derived<std::vector<Box>> boxes_{StagePart::meshes | StagePart::transforms};
-  mutable Derived<std::vector<InstanceTraits>> traits_{StagePart::meshes | StagePart::materials};
+  mutable Derived<std::vector<InstanceTraits>> traits_{StagePart::meshes | StagePart::shapes};
   mutable Derived<std::vector<glm::vec3>> centers_{StagePart::meshes};
-  Derived<std::optional<BodyTree>> bodies_{StagePart::meshes | StagePart::transforms | StagePart::materials};
-  Derived<gl::Texture> body_words_{StagePart::meshes | StagePart::transforms | StagePart::materials};
+  Derived<std::optional<BodyTree>> bodies_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
+  Derived<gl::Texture> body_words_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
   Derived<std::optional<Triangles>> triangles_{StagePart::meshes | StagePart::transforms | StagePart::occlusion |
                                                StagePart::materials};
-  Derived<Geometry> geometry_{StagePart::meshes | StagePart::transforms | StagePart::materials};
+  Derived<Geometry> geometry_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
   /// Instances whose surroundings the buffers know.
-  Derived<std::set<std::size_t>> knows_ior_around_{StagePart::meshes | StagePart::transforms | StagePart::materials};
+  Derived<std::set<std::size_t>> knows_ior_around_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
 };
 
-/// Whether a material differs from another in numbers alone, so that no texture and no mesh changes with it.
-bool areDrawnAlike(const Material& a, const Material& b);
+/// Whether two materials differ in numbers alone, so that no texture and no mesh on the GPU changes with them.
+bool haveSameBuffers(const Material& a, const Material& b);
+
+/// Whether one is another body, or shows another side, or is cut away elsewhere: all that is not only light on a surface.
+bool changesShape(const Material& a, const Material& b);
 
 }  // namespace mirrorball

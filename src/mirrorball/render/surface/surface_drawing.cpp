@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <string>
+#include <utility>
 
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
@@ -128,7 +129,10 @@ Result<SurfaceDrawing::Draw> SurfaceDrawing::drawOf(SurfacePrograms& programs, c
 Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
                                        std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings) {
   constexpr std::size_t kMostLists = 4;  // a picture, its mirror image and what probes see of it
-  DrawList list{.settings = settings,
+  FrameSettings deciding = settings;     // of which the camera and the display decide nothing
+  deciding.camera = {};
+  deciding.display = {};
+  DrawList list{.settings = std::move(deciding),
                 .version = version,
                 .coordinates = coordinates_,
                 .eye_is_inside = eye_is_inside_,
@@ -230,6 +234,7 @@ Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene
                                    std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
                                    const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
+  if (!screen_) screen_.emplace();
   coordinates_ = coordinateChoice(scene, settings);
   eye_is_inside_ = frame.eye_media.count > 0;
   setLights(light, frame, settings);
@@ -296,7 +301,7 @@ void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffer
   glDisable(GL_CULL_FACE);
   buffers.bindPrisms(draw.mesh, TextureUnit::prisms);
   relief_hits_->bind(TextureUnit::relief_hits);  // a unit of other materials' maps
-  screen_.draw(3);
+  screen_->draw(3);
 }
 
 }  // namespace mirrorball

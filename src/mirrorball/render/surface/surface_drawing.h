@@ -93,7 +93,7 @@ class SurfaceDrawing {
   std::vector<gl::UniformBlock> light_blocks_;  ///< of these
   std::vector<int> light_of_instance_;          ///< of the frame's probes
   int bound_light_ = -1;
-  gl::VertexArray screen_;
+  std::optional<gl::VertexArray> screen_;  ///< made on the first frame's device
 };
 
 }  // namespace mirrorball

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,40 +12,26 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/scene/gltf/gltf_camera.h"
+#include "mirrorball/scene/animation/pose.h"
+#include "mirrorball/scene/gltf/gltf_animation.h"
+#include "mirrorball/scene/gltf/gltf_deformation.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 #include "mirrorball/scene/gltf/gltf_material.h"
 #include "mirrorball/scene/gltf/gltf_mesh.h"
+#include "mirrorball/scene/gltf/gltf_nodes.h"
+#include "mirrorball/scene/gltf/gltf_parts.h"
+#include "mirrorball/scene/gltf/gltf_pointer.h"
+#include "mirrorball/scene/gltf/gltf_skin.h"
 
 namespace mirrorball {
 namespace gltf {
 namespace {
 
-// 2²⁶ vertices of 72 bytes each: a small file that names the same accessor again and again must not fill the memory.
-constexpr std::size_t kMaxVertices = std::size_t{1} << 26;
-
-// Likewise: each primitive has a material in each of a file's variants.
+// Each primitive has a material in each of a file's variants.
 constexpr std::size_t kMaxVariantMaterials = std::size_t{1} << 24;
 
 // More than anybody chooses from.
 constexpr std::size_t kMaxCameras = 1000;
-
-bool isFinite(const glm::dmat4& matrix) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      // Within the range of float, with which the renderer goes on.
-      if (!(std::abs(matrix[column][row]) < 1e30)) return false;
-  return true;
-}
-
-/// A mesh seen in a mirror: triangles turned round so that their outside is outside,
-/// and the sense of the bitangent too.
-Mesh mirrored(Mesh mesh) {
-  for (std::size_t first = 0; first < mesh.indices.size(); first += 3)
-    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
-  for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
-  return mesh;
-}
 
 /// How much memory a primitive asks for, by what its accessors say: vertices, or corners where it has more of them.
 std::size_t declaredSize(const Document& document, const Primitive& primitive) {
@@ -64,110 +51,122 @@ int tangentUvSet(const Material& material) {
   return 0;
 }
 
-/// Names of which each is another one.
-class Names {
- public:
-  /// The name, or if it is taken "name 2", "name 3" and so on.
-  std::string unlike(const std::string& wanted) {
-    std::string name = wanted;
-    // What was tried before stays taken.
-    for (int& number = last_number_.try_emplace(wanted, 1).first->second; !taken_.insert(name).second;)
-      name = wanted + " " + std::to_string(++number);
-    return name;
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> last_number_;  // that was behind a name
-};
+/// Whether morph targets change what is not read of them.
+bool hasOtherTargets(const Primitive& primitive) {
+  return std::any_of(primitive.targets.begin(), primitive.targets.end(), [](const auto& target) {
+    return std::any_of(target.begin(), target.end(), [](const auto& each) {
+      return each.first.starts_with("TEXCOORD_") || each.first.starts_with("COLOR_");
+    });
+  });
+}
 
 class SceneBuilder {
  public:
-  explicit SceneBuilder(const File& file) : file_(file), document_(file.document), materials_(file, scene_) {}
+  explicit SceneBuilder(const File& file)
+      : file_(file), document_(file.document), materials_(file, scene_), places_(document_.nodes.size(), -1) {}
 
   Result<Scene> build() {
-    for (const std::string& what : document_.left_out)
-      scene_.warnings.push_back(file_.name + ": its " + what + " are left out");
     if (const std::vector<std::string>& unread = document_.unread_extensions; !unread.empty())
-      scene_.warnings.push_back(file_.name + ": what it says by " + join(unread, ", ", " and ") + " is left out");
-    MIRRORBALL_TRY(roots, rootNodes());
-    MIRRORBALL_TRY(placements, walk(roots));
+      warn("what it says by " + join(unread, ", ", " and ") + " is left out");
+    MIRRORBALL_TRY(placements, addNodes());
     if (has_more_lights_) leaveOut("all of its light but " + std::to_string(Scene::kMaxLights) + " lamps");
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
     scene_.variants = document_.variants;
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
-    addInstances(placements);
+    MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_));
+    MIRRORBALL_TRY_VOID(readAnimations(file_, ofFile()));
+    MIRRORBALL_TRY_VOID(poseAtRest(scene_));
+    if (scene_.rig.animations.empty()) scene_.rig = {};
     if (scene_.instances.empty()) return fail(ErrorCode::bad_file, "its scene shows no triangles");
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
     return std::move(scene_);
   }
 
  private:
-  struct Visit {
-    int node;
-    glm::dmat4 world_from_parent;
-    std::string key;  // what refers to the node
-  };
-  struct Placement {
-    int mesh;  // of the file
-    glm::dmat4 world_from_node;
-  };
   struct Job {
     int mesh;  // of the file
     const Primitive* primitive;
     int material;  // of the scene
     std::vector<int> material_of_variant;
     int tangent_uv_set;
+    WantedDeformation wanted;
     std::string key;
   };
-
-  /// The nodes of the default scene; of a file that names none, all that are nobody's child.
-  Result<std::vector<Visit>> rootNodes() const {
-    std::vector<Visit> roots;
-    if (const int scene = document_.scene; scene != -1) {
-      MIRRORBALL_TRY_VOID(checkIndex(scene, document_.scenes.size(), "scene", "scene"));
-      for (const int node : document_.scenes[std::size_t(scene)])
-        roots.push_back({node, glm::dmat4(1.0), quoted("scenes", std::size_t(scene)) + ".nodes"});
-      return roots;
-    }
-    std::vector<bool> is_child(document_.nodes.size(), false);
-    for (const Node& node : document_.nodes)
-      for (const int child : node.children)
-        if (child >= 0 && std::size_t(child) < is_child.size()) is_child[std::size_t(child)] = true;
-    for (std::size_t i = 0; i < is_child.size(); ++i)
-      if (!is_child[i]) roots.push_back({static_cast<int>(i), glm::dmat4(1.0), "nodes"});
-    return roots;
-  }
-
-  /// Walks the tree with a stack of its own, so that a deep one cannot overflow the program's.
-  Result<std::vector<Placement>> walk(std::vector<Visit> pending) {
+  /// Gives the rig its nodes, and the scene what they have beside meshes; lists the meshes that they show.
+  Result<std::vector<Placement>> addNodes() {
+    MIRRORBALL_TRY(listed, nodesOfScene(document_));
+    for (std::size_t i = 0; i < listed.size(); ++i) places_[std::size_t(listed[i].node)] = static_cast<int>(i);
+    const std::vector<bool> morphing = nodesWithAnimatedWeights(document_);
+    std::vector<glm::dmat4> worlds;
     std::vector<Placement> placements;
-    std::vector<bool> visited(document_.nodes.size(), false);
-    std::reverse(pending.begin(), pending.end());  // the last is the next
-    while (!pending.empty()) {
-      const Visit visit = std::move(pending.back());
-      pending.pop_back();
-      MIRRORBALL_TRY_VOID(checkIndex(visit.node, document_.nodes.size(), visit.key, "node"));
-      const auto index = std::size_t(visit.node);
-      const std::string key = quoted("nodes", index);
-      if (visited[index])
-        return fail(ErrorCode::bad_file, key + " is reached twice; nodes must form a tree without cycles");
-      visited[index] = true;
-
-      const Node& node = document_.nodes[index];
-      const glm::dmat4 world_from_node = visit.world_from_parent * node.parent_from_node;
-      if (!isFinite(world_from_node)) return fail(ErrorCode::bad_file, key + " has a transform that is too large");
+    for (const ListedNode& each : listed) {
+      const Node& node = document_.nodes[std::size_t(each.node)];
+      const std::string key = quoted("nodes", std::size_t(each.node));
+      scene_.rig.nodes.push_back({each.parent, node.place});
+      worlds.push_back((each.parent < 0 ? glm::dmat4(1.0) : worlds[std::size_t(each.parent)]) *
+                       parentFromNode(node.place));
+      if (!isWithinFloats(worlds.back())) return fail(ErrorCode::bad_file, key + " has a transform that is too large");
       if (node.mesh != -1) {
         MIRRORBALL_TRY_VOID(checkIndex(node.mesh, document_.meshes.size(), key + ".mesh", "mesh"));
-        // What is scaled to nothing is a file's way to hide it.
-        if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
+        MIRRORBALL_TRY(placement, placementOf(node, morphing[std::size_t(each.node)], key));
+        // What is scaled to nothing is a file's way to hide it, at least until something moves.
+        const bool is_seen = glm::determinant(glm::dmat3(worlds.back())) != 0.0 || placement.skin >= 0;
+        if (is_seen || !document_.animations.empty()) placements.push_back(placement);
       }
-      MIRRORBALL_TRY_VOID(addCamera(node, world_from_node, key));
-      MIRRORBALL_TRY_VOID(addLight(node, world_from_node, key));
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        pending.push_back({*child, world_from_node, key + ".children"});
+      MIRRORBALL_TRY_VOID(addCamera(node, worlds.back(), key));
+      MIRRORBALL_TRY_VOID(addLight(node, worlds.back(), key));
     }
     return placements;
+  }
+
+  /// What the last node of the rig shows, which gets its weights.
+  Result<Placement> placementOf(const Node& node, bool weights_move, const std::string& key) {
+    Placement placement{node.mesh, static_cast<int>(scene_.rig.nodes.size()) - 1, -1, false};
+    MIRRORBALL_TRY(skin, rigSkin(node.skin, key + ".skin"));
+    placement.skin = skin;
+    const Morphing& mesh = morphingOf(node.mesh);
+    const bool are_set = node.weights.empty() ? mesh.has_weights : isAnySet(node.weights);
+    placement.morphs = mesh.targets > 0 && (weights_move || are_set);
+    if (!placement.morphs) return placement;
+    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(mesh.targets * sizeof(float))));
+    std::vector<float>& weights = scene_.rig.nodes.back().weights;
+    weights = node.weights.empty() ? document_.meshes[std::size_t(node.mesh)].weights : node.weights;
+    weights.resize(mesh.targets, 0.0f);
+    return placement;
+  }
+
+  /// What many nodes may ask of a mesh of the file.
+  struct Morphing {
+    std::size_t targets = 0;
+    bool has_weights = false;
+  };
+  const Morphing& morphingOf(int mesh) {
+    const auto [known, is_new] = morphing_.try_emplace(mesh);
+    if (!is_new) return known->second;
+    const FileMesh& source = document_.meshes[std::size_t(mesh)];
+    known->second.has_weights = isAnySet(source.weights);
+    for (const Primitive& primitive : source.primitives)
+      known->second.targets = std::max(known->second.targets, primitive.targets.size());
+    return known->second;
+  }
+
+  static bool isAnySet(const std::vector<float>& weights) {
+    return std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0.0f; });
+  }
+
+  /// The place in the rig of a skin of the file; −1: none.
+  Result<int> rigSkin(int skin, const std::string& key) {
+    if (skin == -1) return -1;
+    MIRRORBALL_TRY_VOID(checkIndex(skin, document_.skins.size(), key, "skin"));
+    const auto [known, is_new] = skins_.try_emplace(skin, -1);
+    if (!is_new) return known->second;
+    MIRRORBALL_TRY(read, readSkin(file_, skin, places_));
+    if (read.joints.empty()) {
+      leaveOut(quoted("skins", std::size_t(skin)) + ", of whose joints the scene has not all,");
+      return -1;
+    }
+    scene_.rig.skins.push_back(std::move(read));
+    return known->second = static_cast<int>(scene_.rig.skins.size()) - 1;
   }
 
   /// Puts a node's camera into the scene, under the node's name, else its own.
@@ -181,6 +180,8 @@ class SceneBuilder {
       return {};
     }
     if (scene_.cameras.size() == kMaxCameras) return {};
+    camera_sources_.push_back(node.camera);
+    scene_.rig.camera_nodes.push_back(static_cast<int>(scene_.rig.nodes.size()) - 1);
     ModelCamera& added = scene_.cameras.emplace_back(*camera);
     added.world_from_view = *place;
     if (!node.name.empty()) added.name = node.name;
@@ -192,13 +193,15 @@ class SceneBuilder {
     if (node.light == -1) return {};
     const std::string light_key = key + ".extensions.KHR_lights_punctual.light";
     MIRRORBALL_TRY_VOID(checkIndex(node.light, document_.lights.size(), light_key, "light"));
-    const std::optional<ModelLight>& light = document_.lights[std::size_t(node.light)];
+    const std::optional<FileLight>& light = document_.lights[std::size_t(node.light)];
     const std::optional<glm::mat4> place = rigidPart(world_from_node);
     if (!light || !place) {
       leaveOut("the light of " + key + ", which has no kind or no direction,");
     } else if (scene_.lights.size() == Scene::kMaxLights) {
       has_more_lights_ = true;
     } else {
+      light_sources_.push_back(node.light);
+      scene_.rig.light_nodes.push_back(static_cast<int>(scene_.rig.nodes.size()) - 1);
       ModelLight& added = scene_.lights.emplace_back(*light);
       added.position = glm::vec3((*place)[3]);
       added.direction = -glm::vec3((*place)[2]);
@@ -207,40 +210,40 @@ class SceneBuilder {
     return {};
   }
 
-  void leaveOut(const std::string& what) { scene_.warnings.push_back(file_.name + ": " + what + " is left out"); }
-
-  static double determinantOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
+  void warn(const std::string& what) { scene_.warnings.push_back(file_.name + ": " + what); }
+  void leaveOut(const std::string& what) { warn(what + " is left out"); }
 
   /// Lists the primitives of the meshes that are placed, with their materials, and refuses them if they take too much
   /// memory together.
   Result<std::vector<Job>> planPrimitives(const std::vector<Placement>& placements) {
-    std::set<int> meshes;
-    for (const Placement& placement : placements) meshes.insert(placement.mesh);
+    std::map<int, WantedDeformation> meshes;
+    for (const Placement& placement : placements) {
+      WantedDeformation& wanted = meshes[placement.mesh];
+      wanted.skin = wanted.skin || placement.skin >= 0;
+      wanted.targets = wanted.targets || placement.morphs;
+    }
     std::vector<Job> jobs;
-    std::size_t left = kMaxVertices;
-    for (const int mesh : meshes) {
-      const std::vector<Primitive>& primitives = document_.meshes[std::size_t(mesh)];
+    bool has_other_targets = false;
+    for (const auto& [mesh, wanted] : meshes) {
+      const std::vector<Primitive>& primitives = document_.meshes[std::size_t(mesh)].primitives;
       for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Primitive& primitive = primitives[i];
         const std::string key = quoted("meshes", std::size_t(mesh)) + "." + quoted("primitives", i);
         if (!hasTriangles(primitive)) {
-          scene_.warnings.push_back(file_.name + ": " + key + " is made of points or lines; it is left out");
+          warn(key + " is made of points or lines; it is left out");
           continue;
         }
-        if (primitive.has_targets)
-          scene_.warnings.push_back(file_.name + ": " + key + ".targets are left out; it keeps its basic shape");
+        has_other_targets = has_other_targets || (wanted.targets && hasOtherTargets(primitive));
         const std::size_t size = declaredSize(document_, primitive);
-        if (size > left)
-          return fail(ErrorCode::too_large,
-                      key + " brings the model above " + std::to_string(kMaxVertices) + " vertices");
-        left -= size;
-        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(size * (sizeof(Vertex) + sizeof(std::uint32_t)))));
+        MIRRORBALL_TRY_VOID(vertices_.take(size, key));
+        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(deformationSize(primitive, wanted, size))));
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
         const int tangent_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);
-        jobs.push_back({mesh, &primitive, material, std::move(of_variants), tangent_uv_set, key});
+        jobs.push_back({mesh, &primitive, material, std::move(of_variants), tangent_uv_set, wanted, key});
       }
     }
+    if (has_other_targets) leaveOut("what its morph targets change of texture coordinates and colours");
     return jobs;
   }
 
@@ -266,39 +269,36 @@ class SceneBuilder {
   }
 
   Result<void> readPrimitives(const std::vector<Job>& jobs) {
-    std::vector<Result<Mesh>> meshes(jobs.size());
+    std::vector<Result<PrimitiveMesh>> read(jobs.size());
     parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        meshes[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].tangent_uv_set, jobs[i].key);
+        read[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].tangent_uv_set, jobs[i].wanted, jobs[i].key);
     });
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (!meshes[i]) return fail(std::move(meshes[i]));
-      if (meshes[i]->indices.empty()) continue;
-      meshes[i]->material = jobs[i].material;
-      meshes[i]->material_of_variant = jobs[i].material_of_variant;
-      scene_meshes_[jobs[i].mesh].push_back(addMesh(std::move(*meshes[i])));
+      if (!read[i]) return fail(std::move(read[i]));
+      Mesh& mesh = read[i]->mesh;
+      if (mesh.indices.empty()) continue;
+      mesh.material = jobs[i].material;
+      mesh.material_of_variant = jobs[i].material_of_variant;
+      meshes_[jobs[i].mesh].push_back(
+          {static_cast<int>(scene_.meshes.size()), std::move(read[i]->deformation), jobs[i].key});
+      scene_.meshes.push_back(std::move(mesh));
     }
     return {};
   }
 
-  void addInstances(const std::vector<Placement>& placements) {
-    for (const auto& [mesh, world_from_node] : placements) {
-      for (const int scene_mesh : scene_meshes_[mesh]) {
-        const int turned = determinantOf(world_from_node) < 0.0 ? mirroredMesh(scene_mesh) : scene_mesh;
-        scene_.instances.push_back({turned, glm::mat4(world_from_node)});
-      }
-    }
-  }
-
-  int mirroredMesh(int mesh) {
-    const auto found = mirrored_.find(mesh);
-    if (found != mirrored_.end()) return found->second;
-    return mirrored_[mesh] = addMesh(mirrored(scene_.meshes[std::size_t(mesh)]));
-  }
-
-  int addMesh(Mesh mesh) {
-    scene_.meshes.push_back(std::move(mesh));
-    return static_cast<int>(scene_.meshes.size()) - 1;
+  /// What became of the file's parts, which its animations move.
+  SceneOfFile ofFile() {
+    SceneOfFile all{.document = document_, .scene = scene_, .place_of_node = places_, .materials = {}};
+    for (std::size_t i = 0; i < document_.materials.size(); ++i)
+      all.materials.push_back(materials_.placeInScene(static_cast<int>(i)));
+    all.cameras.resize(document_.cameras.size());
+    for (std::size_t i = 0; i < camera_sources_.size(); ++i)
+      all.cameras[std::size_t(camera_sources_[i])].push_back(static_cast<int>(i));
+    all.lights.resize(document_.lights.size());
+    for (std::size_t i = 0; i < light_sources_.size(); ++i)
+      all.lights[std::size_t(light_sources_[i])].push_back(static_cast<int>(i));
+    return all;
   }
 
   const File& file_;
@@ -308,8 +308,13 @@ class SceneBuilder {
   Names camera_names_;
   bool has_more_lights_ = false;
   std::size_t left_of_variants_ = kMaxVariantMaterials;
-  std::map<int, std::vector<int>> scene_meshes_;  // mesh of the file → its primitives in the scene
-  std::map<int, int> mirrored_;                   // scene mesh → its mirrored copy
+  VertexBudget vertices_{file_.named.budget()};
+  std::vector<int> places_;                       // of each node of the file, in the rig; −1: it is not shown
+  std::map<int, Morphing> morphing_;              // of meshes of the file
+  std::map<int, int> skins_;                      // skin of the file → of the rig
+  std::vector<int> camera_sources_;               // of each camera of the scene, the file's
+  std::vector<int> light_sources_;                // likewise
+  std::map<int, std::vector<SceneMesh>> meshes_;  // mesh of the file → its primitives in the scene
 };
 
 }  // namespace

@@ -35,16 +35,6 @@ std::optional<ModelCamera> parseCamera(const JsonReader& json) {
   return shows_something ? std::optional(camera) : std::nullopt;
 }
 
-std::optional<glm::mat4> rigidPart(const glm::dmat4& world_from_node) {
-  const glm::dvec3 back = glm::normalize(glm::dvec3(world_from_node[2]));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(world_from_node[1]), back));
-  const glm::dmat4 rigid(glm::dvec4(right, 0.0), glm::dvec4(glm::cross(back, right), 0.0), glm::dvec4(back, 0.0),
-                         world_from_node[3]);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(std::abs(glm::length(rigid[axis]) - 1.0) < 1e-6)) return std::nullopt;  // NaN too
-  return glm::mat4(rigid);
-}
-
 OutputJson jsonOf(const ModelCamera& camera, std::optional<float> farthest) {
   OutputJson lens;
   if (camera.orthographic) {

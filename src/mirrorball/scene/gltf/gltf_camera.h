@@ -15,11 +15,6 @@ namespace mirrorball::gltf {
 /// returns  nothing where its numbers show nothing, such as a field of view of 0
 std::optional<ModelCamera> parseCamera(const JsonReader& json);
 
-/// The place and the axes of a node without its scale: a rotation, though the node may mirror.
-///
-/// returns  nothing where it has no axes, as scaled to nothing
-std::optional<glm::mat4> rigidPart(const glm::dmat4& world_from_node);
-
 /// A camera's JSON, without its place.
 ///
 /// farthest   depth up to which it sees; without it a perspective one has no end

@@ -81,7 +81,7 @@ TEST(GltfDamage, NamesTheKeyOfAWrongAccessor) {
                       "accessors[0].count is missing");
   expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5130,\"count\":1,\"type\":\"VEC3\"}"),
                       "accessors[0] has a type");
-  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}"),
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"MAT3\"}"),
                       "accessors[0] has a type");
   expectDamageRefused(withAccessor("{\"componentType\":5126,\"count\":20000000,\"type\":\"VEC3\"}"),
                       "accessors[0].count", ErrorCode::too_large);

@@ -8,6 +8,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_camera.h"
+#include "mirrorball/scene/gltf/gltf_document_animation.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_extensions.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
@@ -43,6 +44,7 @@ Accessor parseAccessor(const JsonReader& json) {
   if (type == "VEC2") accessor.components = 2;
   if (type == "VEC3") accessor.components = 3;
   if (type == "VEC4") accessor.components = 4;
+  if (type == "MAT4") accessor.components = 16;
   if (const JsonReader sparse = json["sparse"]; sparse.exists()) {
     const JsonReader indices = sparse["indices"].required();
     const JsonReader values = sparse["values"].required();
@@ -119,7 +121,7 @@ Primitive parsePrimitive(const JsonReader& json) {
   primitive.indices = json["indices"].index();
   primitive.material = json["material"].index();
   primitive.mode = static_cast<int>(std::min<std::size_t>(json["mode"].size(kTriangles), 1000));
-  primitive.has_targets = json["targets"].exists();
+  for (const JsonReader& target : json["targets"].elements()) primitive.targets.push_back(indicesByName(target));
   const JsonReader draco = json["extensions"]["KHR_draco_mesh_compression"];
   if (draco.exists()) {
     primitive.draco_view = draco["bufferView"].required().index();
@@ -130,40 +132,53 @@ Primitive parsePrimitive(const JsonReader& json) {
   return primitive;
 }
 
-std::vector<Primitive> parseMesh(const JsonReader& json) {
-  std::vector<Primitive> primitives;
+std::vector<float> floatsOf(const JsonReader& array) {
+  std::vector<float> floats;
+  for (const JsonReader& number : array.elements()) floats.push_back(static_cast<float>(number.number(0.0)));
+  return floats;
+}
+
+FileMesh parseMesh(const JsonReader& json) {
+  FileMesh mesh{.primitives = {}, .weights = floatsOf(json["weights"])};
   for (const JsonReader& primitive : json["primitives"].required().elements())
-    primitives.push_back(parsePrimitive(primitive));
-  return primitives;
+    mesh.primitives.push_back(parsePrimitive(primitive));
+  return mesh;
 }
 
 /// A node's matrix, or translation · rotation · scale.
-glm::dmat4 parseTransform(const JsonReader& json) {
-  glm::dmat4 matrix(1.0);
+NodePlace parsePlace(const JsonReader& json) {
+  NodePlace place;
   if (json["matrix"].exists()) {
     const std::vector<double> numbers = json["matrix"].numbers(std::vector<double>(16, 0.0));
-    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
-    return matrix;
+    for (int i = 0; i < 16; ++i) place.matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
+    return place;
   }
   const std::vector<double> translation = json["translation"].numbers({0, 0, 0});
   const std::vector<double> rotation = json["rotation"].numbers({0, 0, 0, 1});
   const std::vector<double> scale = json["scale"].numbers({1, 1, 1});
   const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
   if (glm::length(quaternion) > 0.0)
-    matrix = glm::mat4_cast(glm::normalize(quaternion));
+    place.rotation = glm::normalize(quaternion);
   else
     json["rotation"].refuse("has no length");
-  for (int axis = 0; axis < 3; ++axis) {
-    matrix[axis] *= scale[std::size_t(axis)];
-    matrix[3][axis] = translation[std::size_t(axis)];
-  }
-  return matrix;
+  place.translation = {translation[0], translation[1], translation[2]};
+  place.scale = {scale[0], scale[1], scale[2]};
+  return place;
 }
 
 Node parseNode(const JsonReader& json) {
-  return {parseTransform(json),        json["mesh"].index(),
-          indicesOf(json["children"]), printable(json["name"].text("")),
-          json["camera"].index(),      json["extensions"]["KHR_lights_punctual"]["light"].index()};
+  return {.place = parsePlace(json),
+          .mesh = json["mesh"].index(),
+          .children = indicesOf(json["children"]),
+          .name = printable(json["name"].text("")),
+          .camera = json["camera"].index(),
+          .light = json["extensions"]["KHR_lights_punctual"]["light"].index(),
+          .skin = json["skin"].index(),
+          .weights = floatsOf(json["weights"])};
+}
+
+FileSkin parseSkin(const JsonReader& json) {
+  return {.inverse_bind_matrices = json["inverseBindMatrices"].index(), .joints = indicesOf(json["joints"].required())};
 }
 
 std::string parseVariant(const JsonReader& json) { return printable(json["name"].required().text("")); }
@@ -214,10 +229,10 @@ Result<Document> parseDocument(std::string_view text) {
   parseAll(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
   parseAll(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);
   parseAll(root["nodes"], parseNode, document.nodes);
+  parseAll(root["skins"], parseSkin, document.skins);
+  parseAll(root["animations"], parseAnimation, document.animations);
   parseAll(root["scenes"], parseScene, document.scenes);
   document.scene = root["scene"].index();
-  for (const char* key : {"animations", "skins"})
-    if (!root[key].elements().empty()) document.left_out.emplace_back(key);
   if (problem.any()) return fail(ErrorCode::bad_file, problem.message);
   return document;
 }

@@ -11,9 +11,10 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/animation/rig.h"
 #include "mirrorball/scene/camera/model_camera.h"
+#include "mirrorball/scene/gltf/gltf_light.h"
 #include "mirrorball/scene/material/material.h"
-#include "mirrorball/scene/model_light.h"
 #include "mirrorball/scene/scene.h"
 
 /// The JSON of a glTF 2.0 file as plain data. Types and required keys are checked; indices are −1 where there is none,
@@ -38,7 +39,7 @@ struct Accessor {
   std::size_t byte_offset = 0;
   std::size_t count = 0;
   int component_type = 0;
-  std::size_t components = 0;  ///< 1 to 4; 0 for matrices, which no mesh uses
+  std::size_t components = 0;  ///< 1 to 4; 16 of MAT4; 0 for other matrices, which nothing uses
   bool normalized = false;
   std::optional<Sparse> sparse;
 };
@@ -95,19 +96,51 @@ struct Primitive {
   int indices = -1;
   int material = -1;
   int mode = kTriangles;
-  bool has_targets = false;
-  int draco_view = -1;                          ///< of KHR_draco_mesh_compression
-  std::map<std::string, int> draco_attributes;  ///< name → the attribute's unique id in the compressed mesh
+  std::vector<std::map<std::string, int>> targets;  ///< of morphing: of each, attribute → accessor
+  int draco_view = -1;                              ///< of KHR_draco_mesh_compression
+  std::map<std::string, int> draco_attributes;      ///< name → the attribute's unique id in the compressed mesh
   std::vector<VariantMapping> variant_mappings;
 };
 
+/// A mesh of the file.
+struct FileMesh {
+  std::vector<Primitive> primitives;
+  std::vector<float> weights;  ///< of the morph targets
+};
+
 struct Node {
-  glm::dmat4 parent_from_node{1.0};
+  NodePlace place;
   int mesh = -1;
   std::vector<int> children;
   std::string name;
   int camera = -1;
   int light = -1;  ///< of KHR_lights_punctual
+  int skin = -1;
+  std::vector<float> weights;  ///< of its mesh's morph targets, in place of the mesh's own
+};
+
+struct FileSkin {
+  int inverse_bind_matrices = -1;
+  std::vector<int> joints;
+};
+
+struct FileSampler {
+  int input = -1;
+  int output = -1;
+  std::string interpolation;
+};
+
+struct FileChannel {
+  int sampler = -1;
+  /// What moves, as KHR_animation_pointer names it: "/nodes/3/rotation"; empty: nothing.
+  std::string pointer;
+  std::string key;  ///< of the target, for messages
+};
+
+struct FileAnimation {
+  std::string name;
+  std::vector<FileSampler> samplers;
+  std::vector<FileChannel> channels;
 };
 
 /// A material of the file.
@@ -116,6 +149,9 @@ struct FileMaterial {
   /// Of KHR_materials_pbrSpecularGlossiness, where a texture has it too: the roughness is 1 − this · the alpha of
   /// roughness_map.
   std::optional<float> glossiness = {};
+  glm::vec3 emissive_factor{0.0f};  ///< of which, times the strength, the emission is the product
+  float emissive_strength = 1.0f;
+  bool is_sheet = true;  ///< it is one without a thickness, where it transmits
 };
 
 struct Document {
@@ -126,15 +162,16 @@ struct Document {
   std::vector<Sampler> samplers;
   std::vector<Texture> textures;
   std::vector<FileMaterial> materials;
-  std::vector<std::vector<Primitive>> meshes;
+  std::vector<FileMesh> meshes;
   std::vector<std::optional<ModelCamera>> cameras;  ///< parseCamera()
-  std::vector<std::optional<ModelLight>> lights;    ///< parseLight()
+  std::vector<std::optional<FileLight>> lights;     ///< parseLight()
   std::vector<std::string> variants;                ///< names, of KHR_materials_variants
   std::vector<Node> nodes;
+  std::vector<FileSkin> skins;
+  std::vector<FileAnimation> animations;
   std::vector<std::vector<int>> scenes;  ///< root nodes
   int scene = -1;
   std::vector<std::string> unread_extensions;  ///< unreadExtensions()
-  std::vector<std::string> left_out;  ///< "animations", "skins": what the file holds and this program does not read
 };
 
 /// Reads a file's JSON.

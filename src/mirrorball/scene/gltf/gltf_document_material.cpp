@@ -10,8 +10,6 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr float kBrightest = 1e6f;  // as far as the table of parameters goes
-
 float notNegative(const JsonReader& value, float otherwise) {
   return static_cast<float>(std::max(value.number(otherwise), 0.0));
 }
@@ -36,21 +34,18 @@ TextureSlot parseSlot(const JsonReader& json) {
 /// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
 void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
   const JsonReader value = json.at(parameter.gltf);
-  const auto inRange = [&](double number) {
-    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
-  };
+  std::vector<double> numbers;
   if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
-    material.** number = inRange(value.number(material.**number));
+    numbers = {value.number(material.**number)};
   } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
-    material.** flag = value.flag(material.**flag);
+    numbers = {value.flag(material.**flag) ? 1.0 : 0.0};
   } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
     const glm::vec3 before = material.**color;
-    std::vector<double> numbers{before.x, before.y, before.z};
-    if (*color == &Material::base_color) numbers.push_back(material.opacity);
+    numbers = {before.x, before.y, before.z};
+    if (gltfNumbers(parameter) == 4) numbers.push_back(material.opacity);
     numbers = value.numbers(numbers);
-    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
-    if (numbers.size() == 4) material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
   }
+  setGltfNumbers(parameter, numbers, material);
 }
 
 /// An infinite index reflects all light along the normal, so that the specular colour alone is the reflectance there,
@@ -121,21 +116,22 @@ FileMaterial parseMaterial(const JsonReader& json) {
   FileMaterial read{.material = defaultMaterial()};
   Material& material = read.material;
   material.name = json["name"].text("");
+  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
+  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
+  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
   for (const MaterialParameter& parameter : materialParameters())
     if (!parameter.gltf.empty()) readParameter(parameter, json, material);
   for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
   readIndex(json, material);
   const JsonReader extensions = json["extensions"];
-  const float strength = notNegative(extensions["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
-  material.emission = glm::min(material.emission * strength, kBrightest);
+  read.emissive_factor = material.emission;
+  read.emissive_strength = notNegative(extensions["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  material.emission = glm::min(material.emission * read.emissive_strength, kBrightestEmission);
   // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
-  const JsonReader thickness = extensions["KHR_materials_volume"]["thicknessFactor"];
-  material.thin_walled = material.transmission > 0.0f && notNegative(thickness, 0.0f) == 0.0f;
+  read.is_sheet = notNegative(extensions["KHR_materials_volume"]["thicknessFactor"], 0.0f) == 0.0f;
+  material.thin_walled = material.transmission > 0.0f && read.is_sheet;
   if (const JsonReader older = extensions["KHR_materials_pbrSpecularGlossiness"]; older.exists())
     readSpecularGlossiness(older, read);
-  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
-  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
-  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
   if (extensions["KHR_materials_unlit"].exists()) return {.material = unlitOf(material)};
   return read;

@@ -12,25 +12,13 @@ namespace mirrorball::gltf {
 namespace {
 
 constexpr auto kRead = std::to_array<std::string_view>({
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",
-    "KHR_materials_dispersion",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_variants",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
+    "EXT_meshopt_compression",    "EXT_texture_webp",          "KHR_animation_pointer",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_variants",    "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_texture_transform",
 });
 
 /// Of an extension, in a message.

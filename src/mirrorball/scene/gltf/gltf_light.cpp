@@ -16,13 +16,10 @@ namespace {
 /// By their kinds in formula/lamp.glsl; Phong's lights are not glTF's.
 constexpr std::array<std::string_view, 4> kTypes{"", "point", "spot", "directional"};
 
-/// Beyond it the light on a surface close by is more than floats can add up.
-constexpr double kBrightestLight = 1e12;
-
 }  // namespace
 
-std::optional<ModelLight> parseLight(const JsonReader& json) {
-  ModelLight light;
+std::optional<FileLight> parseLight(const JsonReader& json) {
+  FileLight light;
   const std::string type = json["type"].required().text("");
   const auto kind = std::find(kTypes.begin() + 1, kTypes.end(), type);
   if (kind == kTypes.end()) return std::nullopt;
@@ -30,9 +27,12 @@ std::optional<ModelLight> parseLight(const JsonReader& json) {
   light.name = printable(json["name"].text(""));
   const double intensity = json["intensity"].number(1.0);
   const std::vector<double> color = json["color"].numbers({1.0, 1.0, 1.0});
-  for (int channel = 0; channel < 3; ++channel)
+  light.intensity = static_cast<float>(intensity);
+  for (int channel = 0; channel < 3; ++channel) {
+    light.tint[channel] = static_cast<float>(color[std::size_t(channel)]);
     light.color[channel] =
-        static_cast<float>(std::clamp(intensity * color[std::size_t(channel)], 0.0, kBrightestLight));
+        static_cast<float>(std::clamp(intensity * color[std::size_t(channel)], 0.0, double(ModelLight::kBrightest)));
+  }
   light.range = static_cast<float>(std::clamp(json["range"].number(0.0), 0.0, 1e15));
   if (light.kind != formula::kLampSpot) return light;
   const JsonReader spot = json["spot"];

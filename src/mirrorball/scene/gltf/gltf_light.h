@@ -10,10 +10,16 @@
 
 namespace mirrorball::gltf {
 
+/// A light as a file has it, of whose factors its colour is the product.
+struct FileLight : ModelLight {
+  glm::vec3 tint{1.0f};
+  float intensity = 1.0f;
+};
+
 /// A light of KHR_lights_punctual, still at the origin and along −Z; its name may be empty.
 ///
 /// returns  nothing for a type that the extension has not
-std::optional<ModelLight> parseLight(const JsonReader& json);
+std::optional<FileLight> parseLight(const JsonReader& json);
 
 /// A light's JSON, without its place.
 OutputJson jsonOf(const ModelLight& light);

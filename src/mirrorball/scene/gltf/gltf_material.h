@@ -28,6 +28,12 @@ class Materials {
   /// errors   bad_file (an index is out of range)
   Result<int> sceneMaterial(int material, const std::string& key);
 
+  /// The index in the scene of a glTF material that was asked for; −1: it was not.
+  int placeInScene(int material) const {
+    const auto found = materials_.find(material);
+    return found == materials_.end() ? -1 : found->second;
+  }
+
   /// Reads and decodes the pictures of all materials asked for, and gives them to the scene's textures.
   ///
   /// errors   bad_file (missing or damaged); too_large

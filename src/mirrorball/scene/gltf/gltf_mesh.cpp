@@ -12,7 +12,7 @@ namespace {
 
 /// An attribute of a primitive, if it has it: as many elements as there are vertices,
 /// of a fitting number of components.
-Result<Numbers> readAttribute(const File& file, const Primitive& primitive, DracoMesh& draco, const char* name,
+Result<Numbers> readAttribute(const File& file, const Primitive& primitive, DracoMesh& draco, const std::string& name,
                               std::size_t min_components, std::size_t max_components,
                               std::optional<std::size_t> vertices, const std::string& primitive_key) {
   const std::string key = primitive_key + ".attributes." + name;
@@ -58,8 +58,11 @@ std::vector<std::uint32_t> triangleCorners(std::vector<std::uint32_t> corners, i
 }
 
 /// Gives every triangle corners of its own with the triangle's normal. One without an area has none, and is left out.
-void makeFlat(Mesh& mesh) {
+///
+/// returns  of each vertex, the one that it was
+std::vector<std::uint32_t> makeFlat(Mesh& mesh) {
   std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> sources;
   vertices.reserve(mesh.indices.size());
   for (std::size_t first = 0; first < mesh.indices.size(); first += 3) {
     const auto corner = [&](std::size_t i) -> const Vertex& { return mesh.vertices[mesh.indices[first + i]]; };
@@ -68,11 +71,23 @@ void makeFlat(Mesh& mesh) {
         glm::cross(glm::dvec3(corner(1).position) - origin, glm::dvec3(corner(2).position) - origin);
     const double length = glm::length(normal);
     if (length == 0.0) continue;
-    for (std::size_t i = 0; i < 3; ++i) vertices.emplace_back(corner(i)).normal = glm::vec3(normal / length);
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices.emplace_back(corner(i)).normal = glm::vec3(normal / length);
+      sources.push_back(mesh.indices[first + i]);
+    }
   }
   mesh.vertices = std::move(vertices);
   mesh.indices.resize(mesh.vertices.size());
   std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+  return sources;
+}
+
+/// Computes tangents; the vertices that this adds have the same sources as those that they are split from.
+void addTangents(Mesh& mesh, int uv_set, std::vector<std::uint32_t>& sources) {
+  const std::vector<std::uint32_t> corners = mesh.indices;
+  computeTangents(mesh, uv_set);
+  sources.resize(mesh.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) sources[mesh.indices[i]] = sources[corners[i]];
 }
 
 /// Sets unit normals from the file's; returns whether all of them have a direction.
@@ -126,13 +141,14 @@ bool hasTriangles(const Primitive& primitive) {
   return primitive.mode == kTriangles || primitive.mode == kTriangleStrip || primitive.mode == kTriangleFan;
 }
 
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set, const std::string& key) {
+Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set,
+                                    WantedDeformation wanted, const std::string& key) {
   DracoMesh draco;
   if (primitive.draco_view >= 0) {
     MIRRORBALL_TRY(decoded, decodeDraco(file, primitive, key));
     draco = std::move(decoded);
   }
-  const auto attribute = [&](const char* name, std::size_t min_components, std::size_t max_components,
+  const auto attribute = [&](const std::string& name, std::size_t min_components, std::size_t max_components,
                              std::optional<std::size_t> vertices) {
     return readAttribute(file, primitive, draco, name, min_components, max_components, vertices, key);
   };
@@ -160,13 +176,21 @@ Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int tan
   });
 
   const bool has_normals = normals.count() > 0;
+  std::vector<std::uint32_t> sources(count);
+  std::iota(sources.begin(), sources.end(), 0u);
   if (!has_normals)
-    makeFlat(mesh);
+    sources = makeFlat(mesh);
   else if (!setNormals(mesh, normals))
     computeNormals(mesh);
   // Tangents without normals are to be ignored (section 3.7.2.1).
-  if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) computeTangents(mesh, tangent_uv_set);
-  return mesh;
+  if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) addTangents(mesh, tangent_uv_set, sources);
+  MIRRORBALL_TRY(deformation, readDeformation(
+                                  file, primitive, wanted, {mesh, sources, count, !has_normals},
+                                  [&](const std::string& name, std::size_t min, std::size_t max) {
+                                    return attribute(name, min, max, count);
+                                  },
+                                  key));
+  return PrimitiveMesh{std::move(mesh), std::move(deformation)};
 }
 
 }  // namespace mirrorball::gltf

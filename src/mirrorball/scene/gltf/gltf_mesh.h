@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/gltf/gltf_deformation.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 #include "mirrorball/scene/mesh.h"
 
@@ -11,12 +13,19 @@ namespace mirrorball::gltf {
 /// Whether a primitive is made of triangles, strips and fans among them.
 bool hasTriangles(const Primitive& primitive);
 
+/// What a primitive becomes.
+struct PrimitiveMesh {
+  Mesh mesh;                                                ///< whose material is not set yet
+  std::shared_ptr<const MeshDeformation> deformation = {};  ///< none: nothing bends it
+};
+
 /// Reads one primitive: its attributes and its indices as triangles. Without normals it becomes flat, as glTF demands.
 ///
 /// tangent_uv_set  the texture coordinates along which tangents are computed where the file has none
+/// wanted          what may bend it
 /// key             "meshes[0].primitives[1]", for messages
-/// returns         a mesh whose material is not set yet
 /// errors          bad_file; too_large (an accessor of zeros)
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set, const std::string& key);
+Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set,
+                                    WantedDeformation wanted, const std::string& key);
 
 }  // namespace mirrorball::gltf

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
+#include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
@@ -76,13 +77,14 @@ class CompressedFile {
     return accessor_count_++;
   }
 
-  std::string json(const std::string& primitive) const {
+  /// rest   more members of the root: ",\"animations\":[]"
+  std::string json(const std::string& primitive, const std::string& rest = "") const {
     return R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_meshopt_compression","KHR_mesh_quantization"],)"
-           R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[)" +
-           primitive + R"(]}],"accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ +
-           R"(],"buffers":[{"byteLength":)" + std::to_string(data_.size()) +
-           R"(,"uri":"data:application/octet-stream;base64,)" + GltfMaker::base64(data_) +
-           R"("},{"byteLength":1000000000}]})";
+           R"("nodes":[{"mesh":0)" +
+           std::string(rest.empty() ? "" : ",\"skin\":0") + R"(},{}],"meshes":[{"primitives":[)" + primitive +
+           R"(]}],"accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ + R"(],"buffers":[{"byteLength":)" +
+           std::to_string(data_.size()) + R"(,"uri":"data:application/octet-stream;base64,)" +
+           GltfMaker::base64(data_) + R"("},{"byteLength":1000000000}])" + rest + "}";
   }
 
  private:
@@ -104,6 +106,32 @@ std::string grid(const std::string& mode) {
   file.accessor(vertices, kVertices, 5126, "VEC3");  // stands for normals, which all but the first have
   file.accessor(corners, indices.size(), 5125, "SCALAR");
   return file.json(R"({"attributes":{"POSITION":0,"NORMAL":1},"indices":2})");
+}
+
+TEST(GltfMeshopt, ReadsAnimationsAndSkins) {
+  CompressedFile file;
+  const std::vector<float> times{0, 1}, places{0, 0, 0, 2, 4, 6}, corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::vector<float> weights{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  const Bytes joints(12, 0);
+  const auto add = [&](const auto& numbers, std::size_t stride, int component_type, const char* type) {
+    const std::size_t count = numbers.size() * sizeof(numbers[0]) / stride;
+    const int view = file.view(compressedVertices(numbers.data(), count, stride), count, stride, "ATTRIBUTES");
+    file.accessor(view, count, component_type, type);
+  };
+  add(corners, 12, 5126, "VEC3");
+  add(joints, 4, 5121, "VEC4");
+  add(weights, 16, 5126, "VEC4");
+  add(times, 4, 5126, "SCALAR");
+  add(places, 12, 5126, "VEC3");
+  const Result<Scene> rest =
+      decodeModel(file.json(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
+                            R"(,"skins":[{"joints":[1]}],"animations":[{"samplers":[{"input":3,"output":4}],)"
+                            R"("channels":[{"sampler":0,"target":{"node":1,"path":"translation"}}]}])"));
+  ASSERT_TRUE(rest) << rest.error().message;
+  const Result<Scene> half = posed(*rest, 0, 0.5);
+  ASSERT_TRUE(half) << half.error().message;
+  const glm::vec3 place = half->meshes.at(0).vertices.at(1).position;
+  EXPECT_THAT((std::vector{place.x, place.y, place.z}), ElementsAre(2.0f, 2.0f, 3.0f));
 }
 
 TEST(GltfMeshopt, ReadsVerticesAndIndicesOfBothModes) {

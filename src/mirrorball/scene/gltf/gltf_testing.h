@@ -34,7 +34,7 @@ class GltfMaker {
   /// extra  more members: ",\"normalized\":true"
   template <typename Number>
   int accessor(const std::vector<Number>& numbers, const std::string& type, const std::string& extra = "") {
-    const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+    const std::size_t components = type == "SCALAR" ? 1 : type == "MAT4" ? 16 : static_cast<std::size_t>(type[3] - '0');
     const int view_index = view(numbers);
     return rawAccessor(
         "{\"bufferView\":" + std::to_string(view_index) + ",\"componentType\":" + componentType<Number>() +
@@ -113,6 +113,44 @@ class GltfMaker {
   Bytes buffer_;
   std::vector<std::string> views_;
   std::vector<std::string> accessors_;
+};
+
+/// An animation of such a file as it grows.
+class AnimationMaker {
+ public:
+  explicit AnimationMaker(GltfMaker& maker) : maker_(maker) {}
+
+  /// Moves something: "node":3,"path":"rotation".
+  AnimationMaker& move(const std::string& target, const std::vector<float>& times, const std::vector<float>& values,
+                       const std::string& type, const std::string& interpolation = "LINEAR") {
+    const std::string input = std::to_string(maker_.accessor(times, "SCALAR"));
+    const std::string output = std::to_string(maker_.accessor(values, type));
+    return sample(target,
+                  "\"input\":" + input + ",\"output\":" + output + R"(,"interpolation":")" + interpolation + "\"");
+  }
+  /// The same with the sampler's members.
+  AnimationMaker& sample(const std::string& target, const std::string& sampler) {
+    const std::string comma = samplers_.empty() ? "" : ",";
+    channels_ += comma + R"({"sampler":)" + std::to_string(count_++) + R"(,"target":{)" + target + "}}";
+    samplers_ += comma + "{" + sampler + "}";
+    return *this;
+  }
+  /// The same of what a JSON pointer leads to.
+  AnimationMaker& point(const std::string& pointer, const std::vector<float>& times, const std::vector<float>& values,
+                        const std::string& type, const std::string& interpolation = "LINEAR") {
+    return move(R"("path":"pointer","extensions":{"KHR_animation_pointer":{"pointer":")" + pointer + "\"}}", times,
+                values, type, interpolation);
+  }
+
+  std::string json(const std::string& name = "Walk") const {
+    return R"({"name":")" + name + R"(","samplers":[)" + samplers_ + R"(],"channels":[)" + channels_ + "]}";
+  }
+
+ private:
+  GltfMaker& maker_;
+  int count_ = 0;
+  std::string samplers_;
+  std::string channels_;
 };
 
 inline void expectSafe(const Scene& scene) {

@@ -53,6 +53,8 @@ class SceneWriter {
     file_.append("scenes", {{"nodes", std::move(roots)}});
     file_.json["scene"] = 0;
     MIRRORBALL_TRY_VOID(writeMaterials(scene_, file_, encoded.left_out));
+    if (!scene_.rig.animations.empty())
+      encoded.left_out.emplace_back("the model's animations are left out; it keeps the pose that it is in");
     MIRRORBALL_TRY(bytes, file_.finish());
     encoded.bytes = std::move(bytes);
     return encoded;

@@ -23,7 +23,8 @@ struct EncodedScene {
 /// Each mesh becomes a mesh of one primitive, with positions and indices bit by bit; each instance a node and matrix.
 /// Of a material, every row of materialParameters() and materialMaps() with a key in glTF is written where it is not
 /// glTF's default. A complex index of refraction becomes its reflectance at normal incidence, an opacity the base
-/// colour's alpha. Textures become PNG. The scene's own cameras, lights and variants are written as they are.
+/// colour's alpha. Textures become PNG. The scene's own cameras, lights and variants are written as they are, and what
+/// skins and morph targets bend as it is bent; animations are not.
 ///
 /// camera   as the last node, so that other programs show the same picture
 /// errors   bad_shape (a scene without triangles); too_large (4 GiB, which the format ends at, or memory)

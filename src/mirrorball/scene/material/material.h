@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -76,6 +77,15 @@ inline bool isBody(const Material& material) {
 struct MaterialParameter : Option<Material> {
   std::string_view gltf = {};  ///< where glTF has it: "pbrMetallicRoughness.metallicFactor"; empty: nowhere
 };
+
+/// As far as the table goes.
+inline constexpr float kBrightestEmission = 1e6f;
+
+/// How many numbers glTF has for a parameter with a key there: for base_color a fourth, which is the opacity.
+std::size_t gltfNumbers(const MaterialParameter& parameter);
+
+/// Sets a parameter to as many of glTF's numbers, cut to its range. An opaque material stays so.
+void setGltfNumbers(const MaterialParameter& parameter, std::span<const double> numbers, Material& material);
 
 /// The table of every number and choice that --set takes.
 std::span<const MaterialParameter> materialParameters();

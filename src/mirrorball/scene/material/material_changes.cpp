@@ -1,6 +1,7 @@
 #include "mirrorball/scene/material/material_changes.h"
 
 #include <array>
+#include <variant>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/material/material.h"
@@ -39,9 +40,17 @@ const auto kMaterialOptions = std::to_array<Option<MaterialChanges>>({
      choiceField<&MaterialChanges::fresnel>},
 });
 
-/// One material for every surface.
+bool movesMaterial(const AnimationTarget& target) {
+  const auto* light = std::get_if<LightTarget>(&target);
+  return std::holds_alternative<ParameterTarget>(target) || std::holds_alternative<TextureTarget>(target) ||
+         (light != nullptr && light->of == LightTarget::Of::emission);
+}
+
+/// One material for every surface, which no animation moves.
 void replaceMaterials(Scene& scene, const Material& material) {
   scene.materials = {material};
+  for (Animation& animation : scene.rig.animations)
+    std::erase_if(animation.channels, [](const AnimationChannel& each) { return movesMaterial(each.target); });
   scene.variants.clear();
   for (Mesh& mesh : scene.meshes) {
     mesh.material = 0;

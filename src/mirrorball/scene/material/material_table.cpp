@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -135,7 +136,7 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .value = "R,G,B",
        .unit = "radiance",
        .minimum = 0,
-       .maximum = 1e6,
+       .maximum = kBrightestEmission,
        .help = "radiance that the surface emits",
        .is_color = true},
       &Material::emission},
@@ -329,6 +330,27 @@ constexpr auto kMaps = std::to_array<MaterialMap>({
 std::span<const MaterialParameter> materialParameters() { return kParameters; }
 
 std::span<const MaterialMap> materialMaps() { return kMaps; }
+
+std::size_t gltfNumbers(const MaterialParameter& parameter) {
+  const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field);
+  if (color == nullptr) return 1;
+  return *color == &Material::base_color ? 4 : 3;
+}
+
+void setGltfNumbers(const MaterialParameter& parameter, std::span<const double> numbers, Material& material) {
+  const auto inRange = [&](double number) {
+    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
+  };
+  if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
+    material.** number = inRange(numbers[0]);
+  } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
+    material.** flag = numbers[0] != 0.0;
+  } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
+    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
+    if (numbers.size() == 4 && material.alpha_mode != AlphaMode::opaque)
+      material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
+  }
+}
 
 Result<void> setParameter(Material& material, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');

@@ -1,0 +1,103 @@
+#include "cli/render_frames.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "cli/formatted.h"
+#include "cli/interruption.h"
+#include "cli/terminal.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/scene/animation/pose.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// Draws pictures one after the other.
+///
+/// prepare   makes the renderer ready for a picture, and returns its settings
+Result<void> renderEach(Renderer& renderer, const char* what, const std::vector<std::string>& paths, StageClock& clock,
+                        const std::function<Result<FrameSettings>(std::size_t frame)>& prepare) {
+  const ProgressFunction progress = progressBar(what, "pictures");
+  const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
+  const std::size_t frames = paths.size();
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    MIRRORBALL_TRY(settings, prepare(frame));
+    const Result<void> drawn = renderFrame(renderer, settings, paths[frame], clock, untilInterrupted);
+    if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
+    const std::size_t whole = drawn ? frame + 1 : frame;
+    whenInterrupted(interruptedAfter(whole, frames));
+    if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
+  }
+  return {};
+}
+
+float angleOf(std::size_t frame, std::size_t frames) {
+  return 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
+}
+
+/// Those that a camera is to hold: of as many frames, or of some that are spread evenly.
+std::vector<double> timesToFrame(double length_s, std::size_t frames) {
+  constexpr std::size_t kMostTimes = 32;
+  const std::size_t count = std::min(frames, kMostTimes);
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i) times.push_back(length_s * double(i) / double(count));
+  return times;
+}
+
+}  // namespace
+
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+                         StageClock& clock, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
+  if (storesLinearLight(output)) {
+    MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
+    return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
+  }
+  MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
+  return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });
+}
+
+FramingOf framingOf(Turn turn) { return turn == Turn::environment ? FramingOf::still : FramingOf::whole_turn; }
+
+Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
+                             const std::vector<std::string>& paths, StageClock& clock) {
+  const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
+  const BoundingSphere still_bounds = renderer.bounds();
+  const glm::vec3 axis = settings.camera.target.value_or(still_bounds.center);
+  return renderEach(renderer, "turntable", paths, clock, [&](std::size_t frame) -> Result<FrameSettings> {
+    const float angle_deg = angleOf(frame, paths.size());
+    const FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
+    if (turntable.turn != Turn::object) return of_frame;
+    MIRRORBALL_TRY_VOID(renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg)));
+    return standingStill(of_frame, still, still_bounds, renderer.bounds());
+  });
+}
+
+Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, const AnimationRequest& request,
+                             const std::vector<std::string>& paths, StageClock& clock) {
+  // The renderer's scene is a moment, of which there are no others.
+  MIRRORBALL_TRY(rest, loadModel(request.scene.model, {.inside_only = request.scene.inside_only}));
+  MIRRORBALL_TRY(animation, chosenAnimation(rest, request.scene.animation));
+  const double length_s = double(rest.rig.animations[animation].length_s);
+  MIRRORBALL_TRY(all, posesTogether(rest, animation, timesToFrame(length_s, paths.size())));
+  MIRRORBALL_TRY_VOID(withName(request.scene.model, checkExtent(all)));
+  standUpright(all, request.scene.up);
+  const BoundingSphere bounds = boundingSphere(all);
+  FrameSettings framed_all = settings;
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  framed_all.camera = framed(all, bounds, settings.camera, aspect,
+                             request.turns ? framingOf(request.turntable.turn) : FramingOf::still);
+  return renderEach(renderer, "animation", paths, clock, [&](std::size_t frame) -> Result<FrameSettings> {
+    MIRRORBALL_TRY(pose, posed(rest, animation, length_s * double(frame) / double(paths.size())));
+    MIRRORBALL_TRY(scene, preparedPose(std::move(pose), request.scene, request.materials, settings, clock));
+    MIRRORBALL_TRY_VOID(clock.time("GL: upload, compile", [&] { return renderer.setScene(std::move(scene)); }));
+    const FrameSettings of_frame =
+        request.turns ? turned(framed_all, request.turntable.turn, angleOf(frame, paths.size())) : framed_all;
+    return standingStill(of_frame, all, bounds, renderer.bounds());
+  });
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/scene_inputs.h"
+#include "cli/stage_clock.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/scene/camera/framing.h"
+
+namespace mirrorball::cli {
+
+/// Draws one picture and writes it.
+///
+/// errors   as Renderer::draw's and writeImage's
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+                         StageClock& clock, const ProgressFunction& progress);
+
+/// What a camera is to hold in a turntable. With a turning environment the model stands still before it.
+FramingOf framingOf(Turn turn);
+
+/// Draws the pictures of a full turn.
+///
+/// settings   with a framed camera
+/// paths      of the pictures
+/// errors     as renderFrame's; interrupted
+Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
+                             const std::vector<std::string>& paths, StageClock& clock);
+
+/// What is asked for of an animation over its length.
+struct AnimationRequest {
+  const SceneRequest& scene;  ///< with the choice of an animation
+  const MaterialChanges& materials;
+  const Turntable& turntable;
+  bool turns;  ///< makes a full turn too; else the camera stands still
+};
+
+/// Draws pictures that are spread evenly over the length of an animation, of which the last is one step before the end.
+/// The camera and a ground stay where they hold the model at some 32 of those times.
+///
+/// errors   usage; as loadModel's, posed's and renderFrame's; interrupted
+Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, const AnimationRequest& request,
+                             const std::vector<std::string>& paths, StageClock& clock);
+
+}  // namespace mirrorball::cli

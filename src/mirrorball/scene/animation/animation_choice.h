@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+struct Scene;
+
+/// One of a model's animations, and a moment of it.
+struct AnimationChoice {
+  std::string name = {};              ///< or its number, from 1; empty: none, and the model is at rest
+  std::optional<float> seconds = {};  ///< at least 0; none: its start, or all of it where there are several pictures
+
+  bool operator==(const AnimationChoice&) const = default;
+};
+
+/// The table of its one option, "NAME|N[@SECONDS]".
+std::span<const Option<AnimationChoice>> animationOptions();
+
+/// The place in the scene's rig of the animation that is chosen.
+///
+/// errors   usage: there is none of that name or number; lists those there are
+Result<std::size_t> chosenAnimation(const Scene& scene, const AnimationChoice& choice);
+
+}  // namespace mirrorball

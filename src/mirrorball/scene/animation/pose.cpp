@@ -1,0 +1,162 @@
+#include "mirrorball/scene/animation/pose.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/scene/animation/deformation.h"
+#include "mirrorball/scene/animation/target_values.h"
+
+namespace mirrorball {
+namespace {
+
+void turnTriangles(Mesh& mesh) {
+  for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3)
+    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+}
+
+void turnBitangents(Mesh& mesh) {
+  for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
+}
+
+double volumeOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
+
+/// Whether its bent meshes are those that it was loaded with.
+bool fitsRig(const Scene& scene) {
+  for (const RigPart& part : scene.rig.parts) {
+    if (std::size_t(part.mesh) >= scene.meshes.size()) return false;
+    const std::size_t vertices = scene.meshes[std::size_t(part.mesh)].vertices.size();
+    if (part.deformation && vertices != part.deformation->vertices.size()) return false;
+  }
+  return scene.rig.camera_nodes.size() <= scene.cameras.size() && scene.rig.light_nodes.size() <= scene.lights.size();
+}
+
+/// Shows a scene's parts where its rig has them at some time.
+class Poser {
+ public:
+  explicit Poser(Scene& scene) : scene_(scene), rig_(scene.rig), nodes_(rig_.nodes) {}
+
+  /// Moves the nodes, and with them cameras and lights, to a time of an animation.
+  Result<void> moveTo(const Animation& animation, double seconds) {
+    nodes_ = rig_.nodes;
+    TargetValues values(scene_, nodes_);
+    std::vector<double> value;
+    for (const AnimationChannel& channel : animation.channels) {
+      const auto* const node = std::get_if<NodeTarget>(&channel.target);
+      sample(channel.sampler, seconds, node != nullptr && node->of == NodeTarget::Of::rotation, value);
+      values.set(channel.target, value);
+    }
+    values.finish();
+    return place();
+  }
+
+  /// Finds where the nodes are, and puts cameras and lights there.
+  Result<void> place() {
+    worlds_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const int parent = nodes_[i].parent;
+      worlds_[i] = (parent < 0 ? rig_.world_from_roots : worldOf(parent)) * parentFromNode(nodes_[i].place);
+      if (!isWithinFloats(worlds_[i])) return tooLarge();
+    }
+    skins_.assign(rig_.skins.size(), {});
+    for (std::size_t i = 0; i < skins_.size(); ++i) {
+      const Skin& skin = rig_.skins[i];
+      for (std::size_t joint = 0; joint < skin.joints.size(); ++joint) {
+        const glm::dmat4 moved = worldOf(skin.joints[joint]) * glm::dmat4(skin.joint_from_mesh[joint]);
+        if (!isWithinFloats(moved)) return tooLarge();
+        skins_[i].emplace_back(moved);
+      }
+    }
+    for (std::size_t i = 0; i < rig_.camera_nodes.size(); ++i)
+      if (const auto rigid = rigidPart(worldOf(rig_.camera_nodes[i]))) scene_.cameras[i].world_from_view = *rigid;
+    for (std::size_t i = 0; i < rig_.light_nodes.size(); ++i) {
+      const auto rigid = rigidPart(worldOf(rig_.light_nodes[i]));
+      if (!rigid) continue;
+      scene_.lights[i].position = glm::vec3((*rigid)[3]);
+      scene_.lights[i].direction = -glm::vec3((*rigid)[2]);
+    }
+    return {};
+  }
+
+  /// Adds an instance for each part that is seen.
+  ///
+  /// keeps_bent   deformed meshes of earlier instances stay as they are, and new ones are made
+  void addInstances(bool keeps_bent) {
+    for (RigPart& part : rig_.parts) {
+      const double volume = volumeOf(worldOf(part.node));
+      // What is scaled to nothing is a file's way to hide it. Only joints move what has a skin.
+      if (part.skin < 0 && volume == 0.0) continue;
+      if (part.deformation && keeps_bent) part.mesh = addMesh(scene_.meshes[std::size_t(part.mesh)]);
+      if (part.deformation) bend(part, volume < 0.0);
+      const int mesh = !part.deformation && volume < 0.0 ? mirrorImageOf(part.mesh) : part.mesh;
+      scene_.instances.push_back({mesh, part.skin < 0 ? glm::mat4(worldOf(part.node)) : glm::mat4(1.0f)});
+    }
+  }
+
+ private:
+  static tl::unexpected<Error> tooLarge() {
+    return fail(ErrorCode::bad_file, "one of its nodes has a transform that is too large");
+  }
+
+  const glm::dmat4& worldOf(int node) const { return worlds_[std::size_t(node)]; }
+
+  void bend(RigPart& part, bool node_mirrors) {
+    Mesh& mesh = scene_.meshes[std::size_t(part.mesh)];
+    std::span<const glm::mat4> joints;
+    if (part.skin >= 0) joints = skins_[std::size_t(part.skin)];
+    const bool joints_mirror = deform(*part.deformation, nodes_[std::size_t(part.node)].weights, joints, mesh);
+    const bool mirrors = part.skin >= 0 ? joints_mirror : node_mirrors;
+    if (mirrors) turnBitangents(mesh);
+    if (mirrors != part.is_mirrored) turnTriangles(mesh);
+    part.is_mirrored = mirrors;
+  }
+
+  int mirrorImageOf(int mesh) {
+    const auto [found, is_new] = rig_.mirror_images.try_emplace(mesh, 0);
+    if (!is_new) return found->second;
+    Mesh image = scene_.meshes[std::size_t(mesh)];
+    turnTriangles(image);
+    turnBitangents(image);
+    return found->second = addMesh(std::move(image));
+  }
+
+  int addMesh(Mesh mesh) {
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+  }
+
+  Scene& scene_;
+  Rig& rig_;
+  std::vector<RigNode> nodes_;                 // as they are at the time
+  std::vector<glm::dmat4> worlds_;             // of each node
+  std::vector<std::vector<glm::mat4>> skins_;  // world_from_mesh of each joint
+};
+
+}  // namespace
+
+Result<Scene> posed(Scene scene, std::size_t animation, double seconds) {
+  return posesTogether(std::move(scene), animation, {&seconds, 1});
+}
+
+Result<Scene> posesTogether(Scene scene, std::size_t animation, std::span<const double> seconds) {
+  if (!fitsRig(scene)) return fail(ErrorCode::bad_shape, "its meshes are not those that its animations move");
+  scene.instances.clear();
+  Poser poser(scene);
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    MIRRORBALL_TRY_VOID(poser.moveTo(scene.rig.animations[animation], seconds[i]));
+    poser.addInstances(i > 0);
+  }
+  scene.rig = {};
+  return scene;
+}
+
+Result<void> poseAtRest(Scene& scene) {
+  scene.instances.clear();
+  Poser poser(scene);
+  MIRRORBALL_TRY_VOID(poser.place());
+  poser.addInstances(false);
+  return {};
+}
+
+}  // namespace mirrorball

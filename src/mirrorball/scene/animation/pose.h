@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// A scene as one of its animations shows it at a time: an ordinary scene, that all who draw take as it is. Nodes move
+/// their meshes, cameras and lights; skins and morph targets bend meshes; and what the animation moves of materials,
+/// lamps and cameras has its values of that time.
+///
+/// scene      at rest, as it was loaded, or stood upright since. What else is changed in a scene comes after its pose
+/// animation  index into the animations of its rig
+/// seconds    before the first key all is as there, and after the last as there
+/// returns    a scene without a rig: it is a moment, of which there is no other
+/// errors     bad_file: a node's place is too large; bad_shape: its meshes were changed since
+/// cost       a copy of the scene, which a move spares; that of deform (deformation.h) for each mesh that is bent
+Result<Scene> posed(Scene scene, std::size_t animation, double seconds);
+
+/// The scene's parts at several times of an animation in one scene, such as a camera frames that is to show all of it.
+Result<Scene> posesTogether(Scene scene, std::size_t animation, std::span<const double> seconds);
+
+/// Gives a scene the instances that its rig has at rest, and moves its cameras and lights there: the last that a reader
+/// does, which has set all else of the scene and of the rig.
+///
+/// errors   bad_file: as posed's
+Result<void> poseAtRest(Scene& scene);
+
+}  // namespace mirrorball

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/json_reader.h"
+
+namespace mirrorball::gltf {
+
+/// An animation of a file. What a channel moves is told as a JSON pointer in any case.
+FileAnimation parseAnimation(const JsonReader& json);
+
+}  // namespace mirrorball::gltf

@@ -76,10 +76,10 @@ Texture checks() {
 
 /// Hills as heights.
 HeightTexture hills() {
-  Image heights(16, 16, 1);
-  for (int y = 0; y < 16; ++y)
-    for (int x = 0; x < 16; ++x)
-      heights.texel(x, y)[0] = 0.5f + 0.25f * (std::sin(0.3927f * float(x)) + std::sin(0.7854f * float(y)));
+  Image heights(8, 8, 1);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      heights.texel(x, y)[0] = 0.5f + 0.25f * (std::sin(0.7854f * float(x)) + std::sin(1.5708f * float(y)));
   return {.heights = std::move(heights)};
 }
 
@@ -206,7 +206,7 @@ Result<void> Changes::changeMaterial(Shown& shown, Stage* stage) {
       material.height = material.height == HeightKind::map ? HeightKind::none : HeightKind::map;
       material.height_texture = material.height == HeightKind::map ? 0 : -1;
       material.height_scale = 0.05f;
-      material.height_frequency = 2.0f;
+      material.height_frequency = 1.0f;
       break;
     case 3:
       what_ = "sides and alpha";

@@ -36,8 +36,8 @@ struct OptionControl {
   double step = 0.0;  ///< of it; 0: none
 };
 
-/// A value: of a flag, of a choice (its index) or an integer, of numbers and colours, of files and texts. No numbers: the
-/// option holds none.
+/// A value: of a flag, of a choice (its index) or an integer, of numbers and colours, of files and texts. No numbers:
+/// the option holds none.
 using ControlValue = std::variant<bool, int, std::vector<float>, std::string>;
 
 namespace detail {

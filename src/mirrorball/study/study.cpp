@@ -12,6 +12,7 @@
 #include "mirrorball/metric/picture/heat_map.h"
 #include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/rays/seen_from.h"
+#include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/relief.h"
@@ -192,8 +193,7 @@ Result<void> prepareLook(const Technique& technique, Scene& scene, FrameSettings
   }
   fillIn(technique.quality, traits, given, frame);
   if (frame.occlusion == OcclusionKind::none) return {};
-  return findOcclusionOnce(
-      scene, {.finds_materials = frame.self_reflection, .refines = frame.reflect_at == ReflectAt::fragment}, {});
+  return findOcclusionOnce(scene, occlusionSettingsFor(frame), {});
 }
 
 Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {

@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// What was asked for and changes nothing in a picture of a scene, a line each with the reason: "{option:light-intensity}: the
-/// model has no lights of its own"; and what its materials ask for that is not drawn.
+/// What was asked for and changes nothing in a picture of a scene, a line each with the reason:
+/// "{option:light-intensity}: the model has no lights of its own"; and what its materials ask for that is not drawn.
 ///
 /// given   names of options
 std::vector<std::string> idleOptions(const Scene& scene, const FrameSettings& settings,

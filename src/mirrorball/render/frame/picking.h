@@ -28,9 +28,9 @@ struct Picked {
   glm::vec3 radiance{0.0f};  ///< of the last sample of the pixel, with all that shines through
 };
 
-/// The first surface that an eye's ray meets: of one side alone, those that turn it to the eye; with holes of masks, and
-/// of what is blended all that is not wholly clear. A camera in a body of glass sees what is in it. `radiance` is left
-/// to who draws.
+/// The first surface that an eye's ray meets: of one side alone, those that turn it to the eye; with holes of masks,
+/// and of what is blended all that is not wholly clear. A camera in a body of glass sees what is in it. `radiance` is
+/// left to who draws.
 ///
 /// scene      prepared for the settings' relief
 /// geometry   of the scene, with its reliefs where the settings show them as surfaces

@@ -36,7 +36,8 @@ const auto kTurntableOptions = std::to_array<Option<Turntable>>({
       .value = "N",
       .minimum = 0,
       .maximum = 100000,
-      .help = "number of pictures in a turntable, one full turn; %04d or #### in the output's name stands for the "
+      .help = "number of pictures of one full turn of a turntable, or over an animation's length; %04d or #### in the "
+              "output's name stands for the "
               "picture's number, which otherwise comes at the end; 0: a single picture",
       .group = "Picture",
       .is_daily = true},

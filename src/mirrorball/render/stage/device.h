@@ -11,10 +11,11 @@ namespace mirrorball {
 /// What draws: an OpenGL context with the shader programs and tables that all stages and views on it share. A copy is
 /// the same device. It lives as long as what is made on it.
 ///
-/// A device, its stages and its views are of the thread that made it. Several live side by side in one thread: each call of a stage or a view makes its device's context current,
-/// and leaves it so; the end of something leaves the context current that was. An adopted context must be
-/// current, else calls fail with no_gl and an end leaves OpenGL's objects to the context; each call sets the state that
-/// it needs (gl::Context::enter), whatever the host's is, and the device's end gives it back as `leave` does.
+/// A device, its stages and its views are of the thread that made it. Several live side by side in one thread: each
+/// call of a stage or a view makes its device's context current, and leaves it so; the end of something leaves the
+/// context current that was. An adopted context must be current, else calls fail with no_gl and an end leaves OpenGL's
+/// objects to the context; each call sets the state that it needs (gl::Context::enter), whatever the host's is, and the
+/// device's end gives it back as `leave` does.
 class Device {
  public:
   /// On an OpenGL context of its own, without a window.

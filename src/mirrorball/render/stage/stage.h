@@ -50,9 +50,9 @@ class Stage {
   /// errors   usage (there is no such material, or a texture of it is not in the scene); no_gl; too_large: then it is
   ///          as before
   /// cost     one uniform block is sent, and what a frame has that depends on colours is made again when it is next
-  ///          drawn: probes, a ground's shadow, reflections in the scene itself. Of a body also its triangles are sorted
-  ///          anew; with other textures or heights, the meshes are sent again. What vertices know of the scene is found
-  ///          again when a frame next asks for it
+  ///          drawn: probes, a ground's shadow, reflections in the scene itself. Of a body the triangles are sorted
+  ///          anew, too; with other textures or heights, the meshes are sent again. What vertices know of the scene is
+  ///          found again when a frame next asks for it
   Result<void> setMaterial(std::size_t index, Material material);
 
   /// Puts an instance elsewhere. What vertices knew of the scene is found again when a frame next asks for it, and a

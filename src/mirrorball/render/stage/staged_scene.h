@@ -112,7 +112,8 @@ class StagedScene {
 /// Whether two materials differ in numbers alone, so that no texture and no mesh on the GPU changes with them.
 bool haveSameBuffers(const Material& a, const Material& b);
 
-/// Whether one is another body, or shows another side, or is cut away elsewhere: all that is not only light on a surface.
+/// Whether one is another body, or shows another side, or is cut away elsewhere: all that is not only light on a
+/// surface.
 bool changesShape(const Material& a, const Material& b);
 
 }  // namespace mirrorball

@@ -20,6 +20,7 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/render/frame/cube_capture.h"
+#include "mirrorball/render/frame/frame_checks.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -175,9 +176,8 @@ Result<void> capture(const CaptureRequest& request) {
   CaptureSettings settings{.position = {options.at[0], options.at[1], options.at[2]}};
   if (options.nearest > 0.0f) settings.nearest = options.nearest;
   MIRRORBALL_TRY_VOID(checkLook(request.look));
-  MIRRORBALL_TRY_VOID(checkProxyOptions(request.look.proxy));
   settings.frame = request.look;
-  MIRRORBALL_TRY_VOID(checkContradictions(settings.frame, request.given));
+  MIRRORBALL_TRY_VOID(checkSettings(settings.frame, request.given));
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, mapFileFor(request.output, request.output.output, to));

@@ -10,6 +10,7 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/render/frame/frame_checks.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
@@ -48,7 +49,7 @@ Result<void> checkExport(const std::string& output) {
 Result<void> exportScene(const ExportRequest& request) {
   const std::string& output = request.output;
   MIRRORBALL_TRY_VOID(checkExport(output));
-  MIRRORBALL_TRY_VOID(checkCamera(request.frame.camera, request.given));
+  MIRRORBALL_TRY_VOID(checkSettings(request.frame, request.given));
   MIRRORBALL_TRY(scene, loadModelFor(request.scene, request.materials, request.frame, {&output, 1}));
   MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), request.frame.camera, request.frame.size));
   MIRRORBALL_TRY(encoded, encodeGlb(scene, camera));

@@ -27,6 +27,7 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/sunset.h"
+#include "mirrorball/render/frame/frame_checks.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/animation/animation_choice.h"
@@ -171,8 +172,6 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
                                       request.scene.animation.name + "@0");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
-  if (settings.texgen == Texgen::light && settings.lights.empty())
-    return fail(ErrorCode::usage, "--texgen light projects from where the first light is; add --light X,Y,Z,R,G,B");
   GivenOptions given = request.given;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
@@ -185,24 +184,11 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   return {};
 }
 
-/// The showcase stands on the ground of the built-in sunset, unless another environment is asked for; where the build
-/// has no sunset, in the studio.
+/// The showcase without an environment stands where it looks best.
 void setTheStage(RenderRequest& request) {
-  const auto isFree = [&](std::string_view option) { return !request.given.contains(option); };
-  if (request.scene.model != "showcase" || !isFree("env")) return;
-  if (hasSunset()) {
-    request.scene.environment = "sunset";
-    if (isFree("env-rotation")) request.frame.env_rotation_deg = glm::vec3(270.0f, 0.0f, 0.0f);
-    ProxyOptions& ground = request.frame.proxy;
-    if (isFree("proxy")) {
-      ground.kind = ProxyKind::ground;
-      ground.height = 2.5f;
-      if (isFree("ground-roughness") && isFree("background")) ground.ground_roughness = 0.3f;
-    }
-  } else {
-    remark("this build reads no OpenEXR, and so has no sunset: the showcase is in the studio");
-  }
-  if (isFree("camera")) request.frame.camera.elevation_deg = 9.0f;
+  if (request.scene.model != "showcase" || request.given.contains("env")) return;
+  if (!hasSunset()) remark("this build reads no OpenEXR, and so has no sunset: the showcase is in the studio");
+  setShowcase(request.given, request.scene.environment, request.frame);
 }
 
 /// Draws what is asked for: one picture, or one after the other.
@@ -221,10 +207,9 @@ Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderR
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
-  MIRRORBALL_TRY_VOID(checkContradictions(settings, request.given));
+  MIRRORBALL_TRY_VOID(checkSettings(settings, request.given));
   standOnGround(settings);
   MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
-  MIRRORBALL_TRY_VOID(checkCamera(settings.camera, request.given));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (request.reference.is_wanted)
     return renderReference(request.scene, request.materials, settings, request.reference, request.given,
@@ -235,7 +220,7 @@ Result<void> render(const RenderRequest& request) {
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
-  MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
+  MIRRORBALL_TRY_VOID(checkShown(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
   remarkOnIdleOptions(renderer.scene(), settings, request.given);
   const Result<void> drawn = renderAll(renderer, settings, request, outputs, clock);

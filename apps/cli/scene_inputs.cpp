@@ -12,10 +12,9 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/rays/seen_from.h"
+#include "mirrorball/render/frame/frame_checks.h"
 #include "mirrorball/render/frame/idle_options.h"
-#include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
-#include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -121,49 +120,9 @@ Result<Inputs> checkedInputs(Result<Inputs> inputs, const SceneRequest& request,
 
 }  // namespace
 
-Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given) {
-  if (camera.name.empty()) return {};
-  for (const std::string_view name : {"target", "fov", "orthographic"})
-    if (given.contains(name))
-      return fail(ErrorCode::usage, "--" + std::string(name) + ": the camera '" + camera.name +
-                                        "' has its own; leave it out, or give --camera AZIMUTH,ELEVATION");
-  return {};
-}
-
-Result<void> checkContradictions(const FrameSettings& settings, const GivenOptions& given) {
-  if (settings.stands && given.contains("proxy") && settings.proxy.kind != ProxyKind::ground)
-    return fail(ErrorCode::usage, "--stand is on a ground; leave --proxy " + writtenProxy(settings.proxy) +
-                                      " out, or say --proxy ground:HEIGHT");
-  if (settings.self_reflection && given.contains("occlusion") && settings.occlusion == OcclusionKind::none)
-    return fail(ErrorCode::usage, "--self-reflection knows what hides the sky; leave --occlusion none out");
-  return {};
-}
-
-Result<void> checkProxyOptions(const ProxyOptions& proxy) {
-  if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
-    return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");
-  if (proxy.kind != ProxyKind::none || !proxy.captured_at) return {};
-  return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
-}
-
-Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
-  const ProxyOptions& options = settings.proxy;
-  MIRRORBALL_TRY_VOID(checkProxyOptions(options));
-  // Triangles hold every place, and are read by who draws.
-  if (options.kind == ProxyKind::none || options.kind == ProxyKind::mesh) return {};
-  MIRRORBALL_TRY(proxy, placedProxy(options, scene));
-  MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), settings.camera, settings.size));
-  if (proxy.kind == ProxyKind::ground && camera.position.y < proxy.ground)
-    return fail(ErrorCode::usage, "--proxy " + writtenProxy(options) +
-                                      ": the camera is below the ground; raise it by --camera AZIMUTH,ELEVATION");
-  if (options.mirrorsScene() && settings.background != BackgroundKind::environment)
-    remark("--ground-roughness: the ground's mirror image is shown with the environment behind the model alone");
-  if (!camera.orthographic && !proxy.holds(camera.position))
-    remark("the camera is outside of the proxy " + writtenProxy(options) + ", and looks into it as through a window");
-  const Box box = boundingBox(scene);
-  if (!box.isEmpty() && !(proxy.holds(box.low) && proxy.holds(box.high)))
-    remark("the proxy " + writtenProxy(options) +
-           " does not hold all of the model; what is outside sees what its nearest place within sees");
+Result<void> checkShown(const FrameSettings& settings, const Scene& scene) {
+  MIRRORBALL_TRY(doubts, checkFrame(settings, scene));
+  for (const std::string& line : doubts) remark(line);
   return {};
 }
 

@@ -38,22 +38,10 @@ std::span<const Option<SceneRequest>> qualityOptions();
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
-/// errors   usage: an option was given that a model's own camera leaves nothing to
-Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
-
-/// Says what is told twice, in two ways.
+/// Says what is doubtful about a frame of a scene.
 ///
-/// errors   usage: a model stands on a ground, and its light comes from something else; its own reflections are to know
-///          what hides the sky, and nothing is to
-Result<void> checkContradictions(const FrameSettings& settings, const GivenOptions& given);
-
-/// errors   usage: the place of a capture was given without a proxy, or how rough a ground is without one
-Result<void> checkProxyOptions(const ProxyOptions& proxy);
-
-/// Says what is doubtful about where the environment is: a model or a camera that its proxy does not hold.
-///
-/// errors   usage: a camera below the ground; as checkProxyOptions's and placedProxy's
-Result<void> checkProxy(const FrameSettings& settings, const Scene& scene);
+/// errors   as checkFrame's
+Result<void> checkShown(const FrameSettings& settings, const Scene& scene);
 
 /// Loads the model alone, and changes its materials; says what its file has that is left out.
 ///

@@ -30,10 +30,10 @@ glm::mat4 texelsFromClip(glm::vec2 size) {
 Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "screen.vert", "ground_mirror.frag"));
   proxy.connection().connectBlock(program);
-  program.set("mirror_picture", TextureUnit::mirror_picture);
-  program.set("mirror_depths", TextureUnit::mirror_depths);
+  program.set("mirror_picture", kFreeUnit);
+  program.set("mirror_depths", kNextFreeUnit);
   MIRRORBALL_TRY(to_halves, gl::Program::load(api, "screen.vert", "limited_picture.frag"));
-  to_halves.set("picture", TextureUnit::mirror_picture);
+  to_halves.set("picture", kFreeUnit);
   to_halves.set("factor", 1.0f);
   to_halves.set("most", gl::kLargestHalf);
   return GroundMirror(std::move(program), std::move(to_halves));
@@ -51,7 +51,7 @@ Result<void> GroundMirror::finish(bool is_blurred) {
       gl::resize(halves_, gl::Format::rgba16f, {picture_->width(), picture_->height()}, false, kLevels));
   halves_->bind();
   gl::drawOverAll();
-  picture_->color().bind(TextureUnit::mirror_picture);
+  picture_->color().bind(kFreeUnit);
   to_halves_.use();
   screen_.draw(3);
   if (is_blurred) halves_->makeLevels();
@@ -72,8 +72,8 @@ void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& setting
   program_.set("first_tap", frame.sample * taps);
   program_.set("taps_of_pixel", static_cast<float>(taps * settings.samples));
   program_.set("pixels_per_slope", 0.5f * static_cast<float>(picture_->height()) * camera.clip_from_view[1][1]);
-  halves_->color().bind(TextureUnit::mirror_picture);
-  picture_->depth().bind(TextureUnit::mirror_depths);
+  halves_->color().bind(kFreeUnit);
+  picture_->depth().bind(kNextFreeUnit);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -52,8 +52,8 @@ void SampleSum::add() {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
   }
-  sample_->color().bind(TextureUnit::picture);
-  accumulate_.set("picture", TextureUnit::picture);
+  sample_->color().bind(kFreeUnit);
+  accumulate_.set("picture", kFreeUnit);
   setDisplay(accumulate_, settings_);
   accumulate_.set("share", 1.0f / static_cast<float>(settings_.samples));
   screen_.draw(3);
@@ -69,8 +69,8 @@ glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
 
 void SampleSum::show() {
   gl::drawOverAll();
-  result().color().bind(TextureUnit::picture);
-  tone_map_.set("picture", TextureUnit::picture);
+  result().color().bind(kFreeUnit);
+  tone_map_.set("picture", kFreeUnit);
   tone_map_.set("share",
                 settings_.samples > 1 ? static_cast<float>(settings_.samples) / static_cast<float>(count_) : 1.0f);
   setDisplay(tone_map_, settings_);

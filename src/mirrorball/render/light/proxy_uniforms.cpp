@@ -2,15 +2,13 @@
 
 #include <utility>
 
-#include "mirrorball/render/surface/texture_units.h"
-
 namespace mirrorball {
 
-void ProxyConnection::connect(gl::Program& program, ProxyKind kind) {
+void ProxyConnection::connect(gl::Program& program, ProxyKind kind, int unit) {
   if (kind == ProxyKind::none) return;
   connectBlock(program);
-  if (kind == ProxyKind::mesh) program.set("proxy_mesh", TextureUnit::proxy);
-  if (kind == ProxyKind::ground) program.set("ground_shadow", TextureUnit::proxy);
+  if (kind == ProxyKind::mesh) program.set("proxy_mesh", unit);
+  if (kind == ProxyKind::ground) program.set("ground_shadow", unit);
 }
 
 void ProxyConnection::connectBlock(gl::Program& program) {
@@ -39,7 +37,7 @@ void ProxyUniforms::setShadow(const GroundShadow& shadow, const glm::vec3& irrad
   block_.reset();
 }
 
-void ProxyUniforms::bind() {
+void ProxyUniforms::bind(int unit) {
   if (proxy_.kind == ProxyKind::none || !connection_->layout()) return;
   if (!block_) {
     block_.emplace(connection_->layout());
@@ -53,8 +51,9 @@ void ProxyUniforms::bind() {
     block_->set("shadow_area", shadow_ ? shadow_->area() : glm::vec3(0.0f, 0.0f, 1.0f));
   }
   block_->bind(ProxyConnection::kPoint);
-  if (mesh_) mesh_->bind(TextureUnit::proxy);
-  if (proxy_.kind == ProxyKind::ground && shadow_) shadow_->picture().bind(TextureUnit::proxy);
+  if (unit < 0) return;
+  if (mesh_) mesh_->bind(unit);
+  if (proxy_.kind == ProxyKind::ground && shadow_) shadow_->picture().bind(unit);
 }
 
 }  // namespace mirrorball

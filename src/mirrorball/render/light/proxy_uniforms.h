@@ -19,7 +19,9 @@ class ProxyConnection {
   static constexpr unsigned kPoint = 4;  ///< of the block, beside those of SurfacePrograms
 
   /// Of a program that has this kind's part.
-  void connect(gl::Program& program, ProxyKind kind);
+  ///
+  /// unit   of what it reads of a proxy's textures
+  void connect(gl::Program& program, ProxyKind kind, int unit);
   /// Of the block alone, for a program that reads no textures of a proxy.
   void connectBlock(gl::Program& program);
   /// How the block lies in memory; null: no program that was connected has it.
@@ -60,7 +62,9 @@ class ProxyUniforms {
 
   ProxyConnection& connection() { return *connection_; }
   /// Makes it what programs read.
-  void bind();
+  ///
+  /// unit   of its texture; below 0: the program reads none
+  void bind(int unit);
 
  private:
   std::shared_ptr<ProxyConnection> connection_;

@@ -58,7 +58,7 @@ bool changesShape(const Material& a, const Material& b) {
 }
 
 Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike) {
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, TextureUnit::of_material, alike ? &alike->buffers_ : nullptr));
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, alike ? &alike->buffers_ : nullptr));
   return std::shared_ptr<StagedScene>(new StagedScene(std::move(scene), std::move(buffers)));
 }
 

@@ -32,8 +32,8 @@ Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {
   MIRRORBALL_TRY(vertex, gl::shaderSource(api, "screen.vert"));
   MIRRORBALL_TRY(fragment, backgroundShader(api, kind));
   MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with background.frag"));
-  program.set("environment", TextureUnit::background);
-  proxy.connection().connect(program, kind);
+  program.set("environment", kFreeUnit);
+  proxy.connection().connect(program, kind, kNextFreeUnit);
   programs_.emplace(kind, std::move(program));
   return {};
 }
@@ -47,8 +47,8 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   const PrefilteredChain& chain = frame.prefiltered;
   const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
   const bool reads_nearest = !is_prefiltered && settings.texture_filter == TextureFilter::nearest;
-  cube.bind(TextureUnit::background, reads_nearest ? &light.nearestSampler() : nullptr);
-  frame.proxy->bind();
+  cube.bind(kFreeUnit, reads_nearest ? &light.nearestSampler() : nullptr);
+  frame.proxy->bind(kNextFreeUnit);
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity * light.unit());
   setEyeRay(program, frame.camera);

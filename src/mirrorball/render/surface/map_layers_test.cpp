@@ -137,7 +137,7 @@ TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
   for (const float repeats : {1.5f, 40.0f}) {
     Scene scene = sceneOf(sphereMesh(), everything());
     giveEveryMapATexture(scene, repeats);
-    const auto alone = drawing->of(scene, TextureUnit::of_material);
+    const auto alone = drawing->of(scene, kUnitsOfMaterial);
     const auto in_layers = drawing->of(scene, 3);
     ASSERT_TRUE(alone && in_layers);
     const Difference difference = differenceOf(*alone, *in_layers);
@@ -152,10 +152,10 @@ TEST_P(MapLayersTest, AreFilteredAsTheDriverFilters) {
   ASSERT_TRUE(drawing) << drawing.error().message;
   Scene scene = sceneOf(sphereMesh(), everything());
   giveEveryMapATexture(scene, 10.0f);
-  const auto usual = drawing->of(scene, TextureUnit::of_material);
+  const auto usual = drawing->of(scene, kUnitsOfMaterial);
   ASSERT_TRUE(usual);
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
-    const auto alone = drawing->of(scene, TextureUnit::of_material, filter);
+    const auto alone = drawing->of(scene, kUnitsOfMaterial, filter);
     const auto in_layers = drawing->of(scene, 3, filter);
     ASSERT_TRUE(alone && in_layers);
     const float apart = differenceOf(*alone, *in_layers).mean;

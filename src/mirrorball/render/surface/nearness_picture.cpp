@@ -5,21 +5,16 @@
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
-namespace {
-
-constexpr int kDepthsUnit = 0;
-
-}  // namespace
-
 Result<gl::ShaderSource> nearnessShader(gl::Api api, ProxyKind kind) {
   return withProxy(api, "nearness_of_proxy.frag", kind);
 }
 
 Result<NearnessPicture> NearnessPicture::make(gl::Api api) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "screen.vert", "nearness.frag"));
-  program.set("depths", kDepthsUnit);
+  program.set("depths", kFreeUnit);
   return NearnessPicture(std::move(program));
 }
 
@@ -32,7 +27,7 @@ Result<void> NearnessPicture::draw(gl::Api api, const gl::Framebuffer& picture, 
   glClear(GL_COLOR_BUFFER_BIT);
   gl::drawOverAll();
   MIRRORBALL_TRY_VOID(drawProxy(api, frame, unit));
-  picture.depth().bind(kDepthsUnit);
+  picture.depth().bind(kFreeUnit);
   program_.set("eye_from_texels", eyeFromTexels(frame.camera, size));
   program_.set("unit", unit);
   program_.use();
@@ -48,13 +43,13 @@ Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame,
     MIRRORBALL_TRY(vertex, gl::shaderSource(api, "screen.vert"));
     MIRRORBALL_TRY(fragment, nearnessShader(api, kind));
     MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with nearness_of_proxy.frag"));
-    frame.proxy->connection().connect(program, kind);
+    frame.proxy->connection().connect(program, kind, kNextFreeUnit);
     found = of_proxy_.emplace(kind, std::move(program)).first;
   }
   gl::Program& program = found->second;
   setEyeRay(program, frame.camera);
   program.set("unit", unit);
-  frame.proxy->bind();
+  frame.proxy->bind(kNextFreeUnit);
   program.use();
   screen_.draw(3);
   return {};

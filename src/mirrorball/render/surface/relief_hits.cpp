@@ -10,8 +10,8 @@
 namespace mirrorball {
 Result<ReliefHits> ReliefHits::make(gl::Api api) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "relief_hits.vert", "relief_hits.frag"));
-  program.set("heights", TextureUnit::heights);
-  program.set("prisms", TextureUnit::prisms);
+  program.set("heights", kFreeUnit);
+  program.set("prisms", kNextFreeUnit);
   return ReliefHits(std::move(program));
 }
 
@@ -45,8 +45,8 @@ void ReliefHits::drawInstance(const Scene& scene, const SceneBuffers& buffers, s
   program_.set("tiles", material.height_frequency);
   program_.set("instance", static_cast<int>(instance));
   program_.set("height_map", heightMapUniform(scene.height_textures[std::size_t(material.height_texture)]));
-  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)].material)->searched->heights.bind(TextureUnit::heights);
-  buffers.drawPrisms(mesh, TextureUnit::prisms);
+  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)].material)->searched->heights.bind(kFreeUnit);
+  buffers.drawPrisms(mesh, kNextFreeUnit);
 }
 
 }  // namespace mirrorball

@@ -167,7 +167,7 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
-/// The units that are left to a material's other maps: heights take five (TextureUnit), a map of slopes one.
+/// The units that are left to a material's other maps: heights take five (FrameTexture), a map of slopes one.
 int unitsOfMaps(const Material& material, int units) {
   if (material.height_texture >= 0) return units - 5;
   return material.slope_texture >= 0 ? units - 1 : units;
@@ -348,27 +348,27 @@ void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float an
     slope_sampler_ = samplerOf(samplingOf(wrapOf(MapEdges::tiled), filter, anisotropy));
 }
 
-void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bool shows_heights) const {
+void SceneBuffers::bindMaps(const Scene& scene, int material, const TextureUnits& units) const {
   const MaterialMaps& maps = materials_[std::size_t(material)];
   for (std::size_t row = 0; row < maps.sources.size(); ++row) {
     const MapSource& source = maps.sources[row];
     if (source.unit < 0) continue;
-    const TextureSlot& slot = scene.materials[std::size_t(material)].*materialMaps()[row].slot;
-    const auto index = std::size_t(slot.texture);
+    const std::size_t index = textureOf(scene.materials[std::size_t(material)], row);
+    const int unit = units.firstOfMaps() + source.unit;
     if (source.layer < 0)
-      textures_[index]->bind(first_unit + source.unit, texture_samplers_[index]);
+      textures_[index]->bind(unit, texture_samplers_[index]);
     else
-      maps.layers->bind(first_unit + source.unit);
+      maps.layers->bind(unit);
   }
-  if (const Heights* heights = shows_heights ? heightsOf(scene, material) : nullptr) {
-    const int texture = scene.materials[std::size_t(material)].height_texture;
-    heights->slopes.bind(first_unit + units_ - 1, height_samplers_[std::size_t(texture)]);
-    if (heights->searched) {
-      heights->searched->heights.bind(first_unit + units_ - 2);
-      heights->searched->horizons.bind(first_unit + units_ - 4);
-    }
-  } else if (const Slopes* slopes = slopesOf(scene, material)) {
-    slopes->texture.bind(first_unit + units_ - 1, slope_sampler_);
+  if (units.reads(FrameTexture::heights)) {
+    const Heights& heights = *heightsOf(scene, material);
+    const auto texture = std::size_t(scene.materials[std::size_t(material)].height_texture);
+    heights.slopes.bind(units.of(FrameTexture::slopes), height_samplers_[texture]);
+    if (heights.searched) heights.searched->heights.bind(units.of(FrameTexture::heights));
+    if (heights.searched && units.reads(FrameTexture::horizons))
+      heights.searched->horizons.bind(units.of(FrameTexture::horizons));
+  } else if (units.reads(FrameTexture::slopes)) {
+    slopesOf(scene, material)->texture.bind(units.of(FrameTexture::slopes), slope_sampler_);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/render/surface/scene_blocks.h"
+#include "mirrorball/render/surface/texture_units.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -62,7 +63,7 @@ class SceneBuffers {
     gl::Texture heights;   ///< HeightTexture::picture, cones in green
     gl::Texture horizons;  ///< HorizonMap::slopes as layers
   };
-  /// A material's heights: gives its map to the shader, and its slopes. They lie in the last of the units.
+  /// A material's heights: gives its map to the shader, and its slopes.
   struct Heights {
     gl::Texture slopes;  ///< SlopeMoments::levels
     float slope_unit;
@@ -70,7 +71,7 @@ class SceneBuffers {
   };
   /// Of a material; null: it has none.
   const Heights* heightsOf(const Scene& scene, int material) const;
-  /// A material's map of slopes, in the last unit where no heights are shown.
+  /// A material's map of slopes, where no heights are shown.
   struct Slopes {
     gl::Texture texture;  ///< SlopeMoments::levels
     float unit;
@@ -82,10 +83,8 @@ class SceneBuffers {
   /// filter       at first trilinear
   /// anisotropy   gl::Sampling::anisotropy of TextureFilter::anisotropic
   void filterMaps(const Scene& scene, TextureFilter filter, float anisotropy);
-  /// Binds their textures to the units from `first_unit` on.
-  ///
-  /// shows_heights   else the map of slopes takes their place
-  void bindMaps(const Scene& scene, int material, int first_unit, bool shows_heights) const;
+  /// Binds a material's textures to the units of the program that draws it.
+  void bindMaps(const Scene& scene, int material, const TextureUnits& units) const;
 
  private:
   struct Prisms {

@@ -66,7 +66,8 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
                  const FrameSettings& settings) {
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const auto eye_media = mediaRows(frame.eye_media);
-  for (auto& [variant, program] : programs) {
+  for (auto& [variant, made] : programs) {
+    gl::Program& program = made.program;
     if (variant.lamp_count > 0 && std::size_t(variant.lamp_count) * 4 == lamps.size())
       program.set("lamp_rows", std::span<const glm::vec4>(lamps));
     if (variant.has(Part::transmission, TransmissionPart::traced))
@@ -225,9 +226,9 @@ void SurfaceDrawing::bindLight(int light) {
   block.set("last_level", read.blur.last_level);
   block.set("texels_per_radian", read.blur.texels_per_radian);
   block.bind(SurfacePrograms::light_point);
-  read.environment->bind(TextureUnit::environment, read.environment_sampler);
-  read.prefiltered->bind(TextureUnit::prefiltered);
-  read.irradiance->bind(TextureUnit::irradiance);
+  read.environment->bind(static_cast<int>(FrameTexture::environment), read.environment_sampler);
+  read.prefiltered->bind(static_cast<int>(FrameTexture::prefiltered));
+  read.irradiance->bind(static_cast<int>(FrameTexture::irradiance));
 }
 
 Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
@@ -257,29 +258,28 @@ Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene
   return {};
 }
 
-/// Those of a frame whose units others take, too.
-void SurfaceDrawing::bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light) {
-  if (variant.has(Part::look_up, LookUpPart::sphere_map))
-    sphere_map_->bind(TextureUnit::sphere_map);
-  else if (variant.has(Part::proxy, ProxyPart::captured))
-    light.nearness->bind(TextureUnit::nearness);
-  else if (!variant.has(Part::proxy, ProxyPart::none))
-    proxy_->bind();
-  if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::sky, SkyPart::occluded_traced)) scene_triangles_->bind(sceneTrianglesUnit(variant));
-  if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
-    back_faces_->picture().bind(TextureUnit::back_faces);
-  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
-    opaque_picture_->bind(TextureUnit::opaque_picture);
+/// Those of a frame that a program reads beside what all do.
+void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceLight& light) {
+  const auto bind = [&](FrameTexture texture, const gl::Texture* bound) {
+    if (bound && units.reads(texture)) bound->bind(units.of(texture));
+  };
+  bind(FrameTexture::sphere_map, sphere_map_);
+  bind(FrameTexture::nearness, light.nearness);
+  bind(FrameTexture::bodies, bodies_);
+  bind(FrameTexture::scene_triangles, scene_triangles_);
+  bind(FrameTexture::back_faces, back_faces_ ? &back_faces_->picture() : nullptr);
+  bind(FrameTexture::opaque_picture, opaque_picture_);
+  bind(FrameTexture::relief_hits, relief_hits_);
 }
 
 void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
   const Draw& draw = draws()[std::size_t(instance)];
   const int material = draw.material;
   const SurfaceVariant& variant = *draw.variant;
-  gl::Program& program = *draw.program;
+  gl::Program& program = draw.program->program;
+  const TextureUnits& units = draw.program->units;
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
-  buffers.bindMaps(scene, material, TextureUnit::first_of_material, shows_heights);
+  buffers.bindMaps(scene, material, units);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
     const int texture = scene.materials[std::size_t(material)].height_texture;
@@ -291,7 +291,9 @@ void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffer
     program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
   frame_->bind(SurfacePrograms::frame_point);
   bindLight(draw.light);
-  bindFrameTextures(variant, lights_[std::size_t(draw.light)]);
+  bindFrameTextures(units, lights_[std::size_t(draw.light)]);
+  if (!variant.has(Part::proxy, ProxyPart::none) && !variant.has(Part::proxy, ProxyPart::captured))
+    proxy_->bind(units.of(FrameTexture::proxy));
   buffers.blocks().bind(instance, SurfacePrograms::instance_point, material, SurfacePrograms::material_point);
   program.use();
   if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);
@@ -299,8 +301,7 @@ void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffer
     return buffers.drawMeshWithOcclusion(scene, instance);
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(draw.mesh);
   glDisable(GL_CULL_FACE);
-  buffers.bindPrisms(draw.mesh, TextureUnit::prisms);
-  relief_hits_->bind(TextureUnit::relief_hits);  // a unit of other materials' maps
+  buffers.bindPrisms(draw.mesh, units.of(FrameTexture::prisms));
   screen_->draw(3);
 }
 

@@ -43,7 +43,7 @@ class SurfaceDrawing {
     int mesh;
     int material;
     const SurfaceVariant* variant;
-    gl::Program* program;
+    SurfacePrograms::Program* program;
     int light;  ///< lightRead()
     bool is_costly;
   };
@@ -73,7 +73,7 @@ class SurfaceDrawing {
   /// Which of the lights: 0 is the environment's.
   int lightRead(const SurfaceVariant& variant, int instance) const;
   void bindLight(int light);
-  void bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light);
+  void bindFrameTextures(const TextureUnits& units, const SurfaceLight& light);
 
   std::vector<DrawList> draw_lists_;
   std::size_t drawn_ = 0;         ///< which of them the sample has

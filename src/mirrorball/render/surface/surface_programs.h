@@ -12,6 +12,7 @@
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
 
@@ -21,7 +22,11 @@ class SurfacePrograms {
  public:
   /// The binding points of the uniform blocks.
   enum BlockPoint : unsigned { frame_point, instance_point, material_point, light_point, block_points };
-  using Programs = std::map<SurfaceVariant, gl::Program>;
+  struct Program {
+    gl::Program program;
+    TextureUnits units;
+  };
+  using Programs = std::map<SurfaceVariant, Program>;
 
   /// brdf_table   surfaceBrdfTable(): cloth is added where a material needs it
   /// errors       too_large (for this driver)
@@ -45,7 +50,7 @@ class SurfacePrograms {
 
  private:
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
-  void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
+  void connect(Program& made, const SurfaceVariant& variant, ProxyUniforms& proxy);
   Result<void> addClothToBrdfTable();
 
   gl::Api api_;
@@ -54,8 +59,5 @@ class SurfacePrograms {
   Programs programs_;
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
 };
-
-/// Where the scene's triangles are read: what transmits has its bodies or back faces where others have them.
-int sceneTrianglesUnit(const SurfaceVariant& variant);
 
 }  // namespace mirrorball

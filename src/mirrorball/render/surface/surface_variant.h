@@ -99,7 +99,7 @@ struct SurfaceVariant {
   }
 };
 
-/// Units of a material's textures up to which a body can read the copy of the screen (TextureUnit::opaque_picture).
+/// Units of a material's textures up to which a body can read the copy of the screen (FrameTexture::opaque_picture).
 constexpr int kUnitsBesideScreen = 3;
 
 /// Whether what is behind a surface is looked for in a picture of the opaque ones, after which it is then drawn.

@@ -1,36 +1,61 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/render/surface/surface_variant.h"
 
 namespace mirrorball {
 
-/// The texture units that the shaders read from. Of those with one number a shader reads at most one: who draws binds
-/// it.
-struct TextureUnit {
-  static constexpr int environment = 0;
-  static constexpr int sphere_map = 1;  ///< which shows what is infinitely far away: no proxy, and no nearness
-  static constexpr int proxy = 1;
-  static constexpr int nearness = 1;  ///< a probe's, which no proxy lies behind
-  static constexpr int picture = 2;
-  static constexpr int background = 2;  ///< no shader reads two of these
-  static constexpr int bodies = 2;
-  static constexpr int back_faces = 2;
-  static constexpr int scene_triangles = 2;
-  static constexpr int brdf_table = 3;
-  static constexpr int prefiltered = 4;
-  static constexpr int irradiance = 5;
-  static constexpr int mirror_picture = 6;  ///< read when no material is bound
-  static constexpr int mirror_depths = 7;
-  static constexpr int first_of_material = 6;
-  static constexpr int opaque_picture = first_of_material + kUnitsBesideScreen;
-  static constexpr int scene_triangles_of_glass = opaque_picture + 1;  ///< which reads its bodies as well
-  static constexpr int of_material = gl::Texture::kUnits - first_of_material;
-  static constexpr int relief_hits = gl::Texture::kUnits - 5;
-  static constexpr int horizons = gl::Texture::kUnits - 4;
-  static constexpr int prisms = gl::Texture::kUnits - 3;
-  static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
-  static constexpr int slopes = gl::Texture::kUnits - 1;   ///< of heights, or a map of slopes
+/// What surfaces read beside their materials' maps. All programs have the first four, which are bound once a frame or a
+/// light.
+enum class FrameTexture : std::uint8_t {
+  environment,
+  prefiltered,
+  irradiance,
+  brdf_table,
+  proxy,            ///< its triangles, or the shadow on the ground
+  nearness,         ///< of a probe
+  sphere_map,       ///< which shows what is infinitely far away
+  bodies,           ///< that are traced
+  back_faces,       ///< of bodies
+  scene_triangles,  ///< that are reflected
+  opaque_picture,   ///< what is seen through glass
+  relief_hits,
+  prisms,
+  heights,  ///< of the material, to be searched
+  horizons,
+  slopes  ///< of heights, or a map of slopes
 };
+constexpr std::size_t kFrameTextures = 16;
+
+/// Units of a material's own maps, heights and slopes: those that the frame leaves to it in OpenGL ES.
+constexpr int kUnitsOfMaterial = 9;
+
+/// Those that no program of surfaces expects to stay as they are: for programs that draw something else between them.
+constexpr int kFreeUnit = 4;
+constexpr int kNextFreeUnit = 5;
+
+/// The texture units of a variant's program, handed out one after the other to what it reads: no two share one.
+class TextureUnits {
+ public:
+  explicit TextureUnits(const SurfaceVariant& variant);
+
+  bool reads(FrameTexture texture) const { return units_[static_cast<std::size_t>(texture)] >= 0; }
+  /// Of what is read.
+  int of(FrameTexture texture) const { return units_[static_cast<std::size_t>(texture)]; }
+  /// Of the material's maps: MapSource::unit counts from there.
+  int firstOfMaps() const { return first_of_maps_; }
+
+ private:
+  std::array<int, kFrameTextures> units_;
+  int first_of_maps_;
+};
+
+/// The sampler by which a variant's shaders read it; empty: they do not.
+std::string_view samplerOf(FrameTexture texture, const SurfaceVariant& variant);
 
 }  // namespace mirrorball

@@ -181,9 +181,7 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
                            const FrameSettings& look, StageClock& clock) {
   MIRRORBALL_TRY_VOID(withName(request.model, checkExtent(pose)));
-  standUpright(pose, request.up);
-  MIRRORBALL_TRY_VOID(changeMaterials(pose, materials));
-  MIRRORBALL_TRY_VOID(prepareRelief(pose, look.relief));
+  MIRRORBALL_TRY_VOID(prepareModel(pose, request.up, materials, look.relief));
   // Each is drawn once, and so is not kept for later.
   if (look.occlusion != OcclusionKind::none)
     MIRRORBALL_TRY_VOID(clock.time("model: occlusion", [&] { return findSceneOcclusion(pose, look, {}); }));

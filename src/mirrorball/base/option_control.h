@@ -105,9 +105,13 @@ ControlValue valueOf(const Option<Target>& option, const Target& target) {
 template <typename Target>
 Result<void> setValue(const Option<Target>& option, Target& target, const ControlValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return assign(option, target, *flag ? "yes" : "no");
-  if (const auto* number = std::get_if<int>(&value))
-    return assign(option, target,
-                  option.text.choices.empty() ? std::to_string(*number) : std::string(choiceAt(option.text, *number)));
+  if (const auto* number = std::get_if<int>(&value)) {
+    if (option.text.choices.empty()) return assign(option, target, std::to_string(*number));
+    const auto choices = choicesOf(option.text);
+    if (*number < 0 || static_cast<std::size_t>(*number) >= choices.size())
+      return misused(option.text, "one of its " + std::to_string(choices.size()) + " choices", std::to_string(*number));
+    return assign(option, target, choices[static_cast<std::size_t>(*number)]);
+  }
   if (const auto* numbers = std::get_if<std::vector<float>>(&value))
     return assign(option, target, detail::textOf(option.text, *numbers));
   return assign(option, target, std::get<std::string>(value));

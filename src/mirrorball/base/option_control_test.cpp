@@ -77,6 +77,8 @@ TEST(OptionControl, ValuesAreTyped) {
   EXPECT_EQ(settings.extent, glm::vec2(8.0f, 6.0f));
   EXPECT_FALSE(setValue(kTable[1], settings, 9)) << "beyond the range";
   EXPECT_FALSE(setValue(kTable[2], settings, std::vector{NAN}));
+  EXPECT_FALSE(setValue(kTable[4], settings, 2)) << "there are two choices";
+  EXPECT_FALSE(setValue(kTable[4], settings, -1));
 }
 
 TEST(FilledIn, NamesOptionsAsTheFaceDoes) {

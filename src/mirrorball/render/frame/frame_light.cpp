@@ -35,20 +35,20 @@ Result<void> FrameLight::placeProxy(const StagedScene& staged, const FrameSettin
 
 Result<void> FrameLight::makeGroundShadow(const StagedScene& staged, const glm::mat3& environment_from_world) {
   constexpr int kLights = 256;
-  const std::uint64_t casters = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
-  const ShadowOf wanted{environment_from_world, casters, light_->version()};
+  const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
+  const ShadowOf wanted{environment_from_world, scene, light_->version()};
   if (shadow_of_ == wanted) return {};
   shadow_of_.reset();
   MIRRORBALL_TRY(sampler, light_->groundSampler());
-  if (!ground_shadow_ || shadow_casters_ != casters) {
+  if (const std::uint64_t casters = staged.version(StagePart::meshes); !ground_shadow_ || shadow_casters_ != casters) {
     ground_shadow_.reset();
     proxy_.forgetShadow();
-    MIRRORBALL_TRY(made, GroundShadow::make(device_->context.api(), staged.scene(), staged.bounds()));
+    MIRRORBALL_TRY(made, GroundShadow::make(device_->context.api(), staged.scene()));
     ground_shadow_ = std::move(made);
     shadow_casters_ = casters;
   }
   const GroundLights lights = groundLights(light_->environment(), *sampler, environment_from_world, kLights);
-  ground_shadow_->draw(staged.scene(), proxy_.proxy(), lights);
+  ground_shadow_->draw(staged.scene(), staged.bounds(), proxy_.proxy(), lights);
   proxy_.setShadow(*ground_shadow_, lights.irradiance / light().unit());
   shadow_of_ = wanted;
   return {};

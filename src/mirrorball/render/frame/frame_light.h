@@ -52,7 +52,7 @@ class FrameLight {
   ProxyUniforms proxy_;
   std::uint64_t placed_in_ = 0;  ///< the scene's version
   std::optional<GroundShadow> ground_shadow_;
-  std::uint64_t shadow_casters_ = 0;   ///< the scene's version that it takes its shapes from
+  std::uint64_t shadow_casters_ = 0;   ///< the version of the meshes that it takes its shapes from
   std::optional<ShadowOf> shadow_of_;  ///< that it was drawn for; none: it must be drawn
 };
 

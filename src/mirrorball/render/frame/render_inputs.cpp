@@ -22,12 +22,17 @@ void warnOfNoHeights(Scene& scene, ReliefKind kind) {
 
 }  // namespace
 
+Result<void> prepareModel(Scene& scene, UpAxis up, const MaterialChanges& materials, ReliefKind relief,
+                          const std::function<int()>& largest_texture) {
+  standUpright(scene, up);
+  MIRRORBALL_TRY_VOID(changeMaterials(scene, materials));
+  warnOfNoHeights(scene, relief);
+  return prepareRelief(scene, relief, largest_texture);
+}
+
 Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture) {
   MIRRORBALL_TRY(scene, loadModel(names.model, names.load_model));
-  standUpright(scene, names.up);
-  MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
-  warnOfNoHeights(scene, names.relief);
-  MIRRORBALL_TRY_VOID(prepareRelief(scene, names.relief, largest_texture));
+  MIRRORBALL_TRY_VOID(prepareModel(scene, names.up, names.materials, names.relief, largest_texture));
   return scene;
 }
 

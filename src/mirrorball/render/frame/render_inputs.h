@@ -43,6 +43,13 @@ struct RenderInputs : SceneInputs {
   gl::Context context;  ///< without a window, current
 };
 
+/// Prepares a model that was loaded, or a pose of one: its axis up, its materials as told, and for a kind of relief.
+///
+/// largest_texture   of the driver that will draw it: prepareRelief
+/// errors            usage (materials that are not there); as prepareRelief's
+Result<void> prepareModel(Scene& scene, UpAxis up, const MaterialChanges& materials, ReliefKind relief,
+                          const std::function<int()>& largest_texture = {});
+
 /// Loads the model alone, with its axis up and its materials as told.
 ///
 /// largest_texture   of the driver that will draw it: prepareRelief

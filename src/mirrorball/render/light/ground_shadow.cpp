@@ -52,13 +52,12 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
   return ground;
 }
 
-Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene, const BoundingSphere& bounds) {
+Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, true));
   GroundShadow shadow(std::move(program), std::move(framebuffer));
-  shadow.area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   constexpr std::size_t kTriangles = 1000;
   for (const Mesh& mesh : scene.meshes) {
     const CoarseMesh coarse = coarseMesh(mesh, kTriangles);
@@ -70,7 +69,9 @@ Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene, const B
   return Result<GroundShadow>(std::move(shadow));
 }
 
-void GroundShadow::draw(const Scene& scene, const Proxy& ground, const GroundLights& lights) {
+void GroundShadow::draw(const Scene& scene, const BoundingSphere& bounds, const Proxy& ground,
+                        const GroundLights& lights) {
+  area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   framebuffer_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -43,18 +43,18 @@ class GroundShadow {
   static constexpr int kSize = 512;        ///< texels
   static constexpr float kModelRadii = 4;  ///< from the middle to each side
 
-  /// Takes the shapes of a scene, each by few triangles.
+  /// Takes the shapes of a scene's meshes, each by few triangles.
   ///
-  /// bounds   of the scene
   /// errors   unsupported, no_gl
-  static Result<GroundShadow> make(gl::Api api, const Scene& scene, const BoundingSphere& bounds);
+  static Result<GroundShadow> make(gl::Api api, const Scene& scene);
 
   /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid. Of
   /// surfaces that have a front alone, that is what throws it.
   ///
-  /// scene    the same
+  /// scene    of the same meshes
+  /// bounds   of it
   /// cost     one pass over the few triangles for each light
-  void draw(const Scene& scene, const Proxy& ground, const GroundLights& lights);
+  void draw(const Scene& scene, const BoundingSphere& bounds, const Proxy& ground, const GroundLights& lights);
 
   /// Red, green, blue: the share that is missing; beyond it none is.
   const gl::Texture& picture() const { return framebuffer_.color(); }

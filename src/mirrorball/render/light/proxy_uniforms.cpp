@@ -4,11 +4,15 @@
 
 namespace mirrorball {
 
+std::string_view samplerOfProxy(ProxyKind kind) {
+  if (kind == ProxyKind::mesh) return "proxy_mesh";
+  return kind == ProxyKind::ground ? "ground_shadow" : std::string_view();
+}
+
 void ProxyConnection::connect(gl::Program& program, ProxyKind kind, int unit) {
   if (kind == ProxyKind::none) return;
   connectBlock(program);
-  if (kind == ProxyKind::mesh) program.set("proxy_mesh", unit);
-  if (kind == ProxyKind::ground) program.set("ground_shadow", unit);
+  if (const std::string_view sampler = samplerOfProxy(kind); !sampler.empty()) program.set(sampler, unit);
 }
 
 void ProxyConnection::connectBlock(gl::Program& program) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "mirrorball/base/result.h"
@@ -12,6 +13,9 @@
 #include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball {
+
+/// The sampler by which shaders read a proxy of that kind; empty: they need none.
+std::string_view samplerOfProxy(ProxyKind kind);
 
 /// Says where programs read a proxy; the same for all proxies of a device.
 class ProxyConnection {

@@ -41,12 +41,6 @@ bool knowsOcclusion(const Scene& scene, const SceneOcclusionSettings& settings) 
   });
 }
 
-std::size_t verticesOf(const Scene& scene) {
-  std::size_t vertices = 0;
-  for (const Mesh& mesh : scene.meshes) vertices += mesh.vertices.size();
-  return vertices;
-}
-
 }  // namespace
 
 SceneOcclusionSettings occlusionSettingsFor(const FrameSettings& settings) {
@@ -77,9 +71,8 @@ bool forgetOcclusion(Scene& scene) {
 }
 
 Result<void> prepareScene(Scene& scene, const ScenePreparation& preparation, const PreparationMeans& means) {
-  const std::size_t vertices = verticesOf(scene);
   MIRRORBALL_TRY_VOID(prepareRelief(scene, preparation.relief, means.largest_texture));
-  if (verticesOf(scene) != vertices) forgetOcclusion(scene);  // which was of others
+  if (preparation.relief == ReliefKind::geometry) forgetOcclusion(scene);  // which was of other vertices
   if (!preparation.finds_occlusion || knowsOcclusion(scene, preparation.occlusion)) return {};
   forgetOcclusion(scene);
   return findOcclusionOnce(scene, preparation.occlusion, means.cache, means.progress);

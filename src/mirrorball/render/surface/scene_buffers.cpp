@@ -338,6 +338,8 @@ const gl::Sampler* SceneBuffers::samplerOf(const gl::Sampling& sampling) {
 }
 
 void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float anisotropy) {
+  if (filtered_ == std::pair(filter, anisotropy)) return;
+  filtered_ = {filter, anisotropy};
   texture_samplers_.clear();
   for (const Texture& texture : scene.textures)
     texture_samplers_.push_back(samplerOf(samplingOf(wrapOf(texture), filter, anisotropy)));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/range.h"
@@ -117,6 +118,7 @@ class SceneBuffers {
   int units_ = 0;
   std::map<gl::Sampling, gl::Sampler> samplers_;
   // How they are read now, each of samplers_.
+  std::optional<std::pair<TextureFilter, float>> filtered_;
   std::vector<const gl::Sampler*> texture_samplers_;
   std::vector<const gl::Sampler*> height_samplers_;
   const gl::Sampler* slope_sampler_ = nullptr;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "mirrorball/render/light/proxy_uniforms.h"
+
 namespace mirrorball {
 namespace {
 
@@ -27,8 +29,8 @@ std::string_view samplerOf(FrameTexture texture, const SurfaceVariant& variant) 
     case FrameTexture::brdf_table:
       return where(readsBrdfTable(variant), "brdf_table");
     case FrameTexture::proxy:
-      if (variant.has(Part::proxy, ProxyPart::mesh)) return "proxy_mesh";
-      return where(variant.has(Part::proxy, ProxyPart::ground), "ground_shadow");
+      if (variant.has(Part::proxy, ProxyPart::captured)) return {};
+      return samplerOfProxy(static_cast<ProxyKind>(variant.answers[std::size_t(Part::proxy)]));
     case FrameTexture::nearness:
       return where(variant.has(Part::proxy, ProxyPart::captured), "captured_nearness");
     case FrameTexture::sphere_map:

@@ -16,7 +16,7 @@ namespace mirrorball::fuzz {
 inline void follow(Scene scene) {
   constexpr std::size_t kMostIndices = 30'000;
   std::size_t indices = 0;
-  for (const Instance& instance : scene.instances) indices += scene.meshes[std::size_t(instance.mesh)].indices.size();
+  for (const Instance& instance : scene.instances) indices += scene.meshes[std::size_t(instance.mesh)]->indices.size();
   if (!checkExtent(scene) || indices > kMostIndices) return;
   for (const auto& tree : {bodyTree(scene), triangleTree(scene)})
     if (!tree) checkLine(tree.error().message);
@@ -31,7 +31,7 @@ inline void follow(Scene scene) {
   } else {
     checkLine(written.error().message);
   }
-  for (Mesh& mesh : scene.meshes) computeTangents(mesh);
+  for (Shared<Mesh>& mesh : scene.meshes) computeTangents(mesh.edit());
 }
 
 /// What every reader of models owes its caller: lines for what it refuses and for what it leaves out, and scenes that

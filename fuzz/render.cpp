@@ -6,8 +6,8 @@
 
 #include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/rays/seen_from.h"
-#include "mirrorball/render/frame/quality.h"
 #include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/settings/quality.h"
 #include "shown_model.h"
 
 namespace mirrorball::fuzz {

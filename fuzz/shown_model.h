@@ -39,7 +39,8 @@ inline std::optional<Scene> modelToShow(std::span<const std::uint8_t> bytes) {
   auto scene = decodeModel(bytes);
   if (!scene || !checkExtent(*scene)) return std::nullopt;
   std::size_t indices = 0;
-  for (const Instance& instance : scene->instances) indices += scene->meshes[std::size_t(instance.mesh)].indices.size();
+  for (const Instance& instance : scene->instances)
+    indices += scene->meshes[std::size_t(instance.mesh)]->indices.size();
   if (indices > kMostIndices) return std::nullopt;
   for (const Texture& texture : scene->textures)
     if (std::max(texture.image.width(), texture.image.height()) > kLargestTexture) return std::nullopt;

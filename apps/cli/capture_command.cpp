@@ -20,7 +20,8 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/render/frame/cube_capture.h"
-#include "mirrorball/render/frame/frame_checks.h"
+#include "mirrorball/render/settings/frame_checks.h"
+#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -235,6 +236,7 @@ Command captureCommand() {
   addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
   addOptions(command, captureLookOptions(), request->look, &request->given);
+  addOptions(command, animationOptions(), request->scene.animation);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {

@@ -10,8 +10,9 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
-#include "mirrorball/render/frame/frame_checks.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_checks.h"
+#include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"
@@ -80,6 +81,7 @@ Command exportCommand() {
   addOptions(command, scene_options, request->scene);
   addOptions(command, kExportOptions, *request);
   addOptions(command, frame_options, request->frame, &request->given);
+  addOptions(command, animationOptions(), request->scene.animation);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
     return withStandardStreams({&request->scene.model}, request->output, [&] { return exportScene(*request); });

@@ -152,7 +152,7 @@ std::string textOf(const Error& error) { return line("error", error.message); }
 
 std::size_t triangleCount(const Scene& scene) {
   std::size_t corners = 0;
-  for (const Instance& instance : scene.instances) corners += scene.meshes[std::size_t(instance.mesh)].indices.size();
+  for (const Instance& instance : scene.instances) corners += scene.meshes[std::size_t(instance.mesh)]->indices.size();
   return corners / 3;
 }
 

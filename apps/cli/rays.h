@@ -5,7 +5,7 @@
 
 #include "cli/surface_maps.h"
 #include "mirrorball/base/cache_folder.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {

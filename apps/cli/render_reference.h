@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/trace/path_tracer.h"
 
 namespace mirrorball::cli {

@@ -12,8 +12,8 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/rays/seen_from.h"
-#include "mirrorball/render/frame/frame_checks.h"
-#include "mirrorball/render/frame/idle_options.h"
+#include "mirrorball/render/settings/frame_checks.h"
+#include "mirrorball/render/settings/idle_options.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {

@@ -6,8 +6,8 @@
 
 #include "cli/command.h"
 #include "cli/stage_clock.h"
-#include "mirrorball/render/frame/quality.h"
 #include "mirrorball/render/frame/render_inputs.h"
+#include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
 

@@ -17,6 +17,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -91,7 +92,7 @@ Result<Scene> sceneOfThree(Random& random) {
   scene.height_textures.push_back(hills());
   for (int thing = 0; thing < 3; ++thing) {
     MIRRORBALL_TRY(model, loadModel(random.oneOf(kShapes)));
-    Mesh mesh = std::move(model.meshes.front());
+    Mesh mesh = *model.meshes.front();
     mesh.material = thing;
     const glm::vec3 place(1.6f * static_cast<float>(thing - 1), 0.0f, 0.0f);
     scene.instances.push_back({thing, glm::translate(glm::mat4(1.0f), place)});
@@ -99,6 +100,10 @@ Result<Scene> sceneOfThree(Random& random) {
     scene.materials.emplace_back();
   }
   scene.materials[0].base_color_map.texture = 0;
+  // The third hangs on the second.
+  addNodes(scene);
+  scene.rig.nodes[2].parent = 1;
+  MIRRORBALL_TRY_VOID(poseAtRest(scene));
   return scene;
 }
 
@@ -148,6 +153,9 @@ class Changes {
   Result<void> changeTransform(Shown& shown, Stage* stage);
   Result<void> changeLights(Shown& shown, Stage* stage);
   Result<void> changeScene(Shown& shown, Stage* stage);
+  Result<void> changeCopy(Shown& shown, Stage* stage);
+  Result<void> changeNode(Shown& shown, Stage* stage);
+  Result<void> workInThread(const Shown& shown, Stage* stage);
   Result<void> changeEnvironment(Shown& shown, Stage* stage);
   Result<void> changeLook(Shown& shown);
   void changeSize(Shown& shown);
@@ -159,7 +167,7 @@ class Changes {
 
 Result<void> Changes::next(Shown& shown, Stage* stage) {
   if (shown.scene.empty()) return changeScene(shown, stage);
-  switch (random_.below(16)) {
+  switch (random_.below(22)) {
     case 0:
       return changeScene(shown, stage);
     case 1:
@@ -178,6 +186,15 @@ Result<void> Changes::next(Shown& shown, Stage* stage) {
     case 8:
     case 9:
       return changeMaterial(shown, stage);
+    case 10:
+    case 11:
+    case 12:
+      return changeCopy(shown, stage);
+    case 13:
+    case 14:
+      return changeNode(shown, stage);
+    case 15:
+      return workInThread(shown, stage);
     default:
       return changeLook(shown);
   }
@@ -252,6 +269,61 @@ Result<void> Changes::changeScene(Shown& shown, Stage* stage) {
   return stage ? stage->setScene(shown.scene) : Result<void>();
 }
 
+/// What a scene has no setter for: the whole is set again, and shares with the one before what has not changed.
+Result<void> Changes::changeCopy(Shown& shown, Stage* stage) {
+  Scene& scene = shown.scene;
+  switch (random_.below(3)) {
+    case 0: {
+      what_ = "a mesh";
+      const auto mesh = static_cast<std::size_t>(random_.below(static_cast<int>(scene.meshes.size())));
+      const float factor = 0.8f + 0.3f * random_.share();
+      for (Vertex& vertex : scene.meshes[mesh].edit().vertices) vertex.position.y *= factor;
+      break;
+    }
+    case 1: {
+      what_ = "pixels";
+      const auto level = static_cast<std::uint8_t>(random_.below(256));
+      for (int x = 0; x < 16; ++x) scene.textures[0].image.edit().texel(x, 5)[1] = level;
+      break;
+    }
+    default:
+      what_ = "an instance that comes or goes";
+      if (scene.instances.size() > 2)
+        scene.instances.pop_back();
+      else
+        scene.instances.push_back(
+            {.mesh = 2, .world_from_object = glm::translate(glm::mat4(1.0f), {0.2f, 0.9f, 0.0f})});
+  }
+  return stage ? stage->setScene(scene) : Result<void>();
+}
+
+Result<void> Changes::changeNode(Shown& shown, Stage* stage) {
+  const int count = static_cast<int>(shown.scene.rig.nodes.size());
+  const auto node = static_cast<std::size_t>(random_.below(count));
+  what_ = "node " + std::to_string(node);
+  NodePlace place;
+  place.translation = {2.0 * double(random_.share()) - 1.0, double(random_.share()), 0.0};
+  place.scale = glm::dvec3(random_.below(5) == 0 ? 0.0 : 0.5 + double(random_.share()));
+  MIRRORBALL_TRY_VOID(placeNode(shown.scene, node, place));
+  return stage ? stage->setNode(node, place) : Result<void>();
+}
+
+/// What the frames need is made in another thread, while the stage draws something else.
+Result<void> Changes::workInThread(const Shown& shown, Stage* stage) {
+  what_ = "work in a thread";
+  if (!stage) return {};
+  MIRRORBALL_TRY(work, stage->workFor(shown.looks[0]));
+  Result<void> done;
+  std::thread thread([&] { done = work.run(); });
+  View meanwhile(*stage);
+  const Result<void> drawn = meanwhile.draw({.size = {16, 16}, .samples = 1});
+  thread.join();
+  MIRRORBALL_TRY_VOID(drawn);
+  MIRRORBALL_TRY_VOID(done);
+  MIRRORBALL_TRY_VOID(stage->take(std::move(work)));
+  return {};
+}
+
 Result<void> Changes::changeEnvironment(Shown& shown, Stage* stage) {
   what_ = "an environment";
   shown.environment = random_.below(3);
@@ -301,6 +373,11 @@ Result<Pictures> drawn(std::array<View, kViews>& views, const Shown& shown,
     if (looks[i] == shown.looks[i]) continue;
     MIRRORBALL_TRY_VOID(views[i].begin(shown.looks[i]));
     looks[i] = shown.looks[i];
+  }
+  // As a window that shows its first view at once, and its second when nothing is left to wait for.
+  for (int left = 1; left > 0;) {
+    MIRRORBALL_TRY(still, views[1].makeProgram());
+    left = still;
   }
   for (bool is_whole = false; !is_whole;) {
     is_whole = true;

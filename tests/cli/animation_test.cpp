@@ -1,6 +1,7 @@
-// render --animation: a glTF file's animations from outside, in both renderers.
+// --animation of render, capture and export: a glTF file's animations from outside, in both renderers.
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -161,6 +162,20 @@ TEST_F(AnimationCliTest, InfoListsThem) {
   const auto json = nlohmann::json::parse(succeed("info walk.gltf --json"));
   EXPECT_EQ(json.at("animations").at(0).at("name"), "Walk");
   EXPECT_EQ(json.at("animations").at(1).at("seconds"), 1.0);
+}
+
+// The triangle is at X = 4 halfway: what is captured there is another light than at rest, and so is what is exported.
+TEST_F(AnimationCliTest, IsCapturedAndExported) {
+  const auto meanOf = [&](const std::string& how) {
+    run("capture walk.gltf -e dark.exr --at 4,0.3,1 --size 32 -o a.exr " + how);
+    const Image map = image("a.exr");
+    return std::accumulate(map.samples().begin(), map.samples().end(), 0.0);
+  };
+  EXPECT_GT(meanOf("--animation Walk@1"), 1.5 * meanOf(""));
+  run("export walk.gltf --animation Walk@1 -o moved.glb");
+  const Glow moved = glowOf(drawn("moved.glb")), expected = glowOf(drawn("walk.gltf", "--animation Walk@1"));
+  EXPECT_EQ(moved.pixels, expected.pixels);
+  EXPECT_EQ(moved.x, expected.x);
 }
 
 }  // namespace

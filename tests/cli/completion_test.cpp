@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -163,7 +163,7 @@ TEST_F(GltfSceneTest, NamesThatTheModelHasNotAreListed) {
   Scene scene = *loadModel("spheres");
   scene.cameras = {{.name = "Left"}, {.name = "Right"}};
   scene.variants = {"day", "night"};
-  scene.meshes[0].material_of_variant = {0, 0};
+  scene.meshes[0].edit().material_of_variant = {0, 0};
   writeModel("pair.glb", scene);
   for (const std::string renderer : {"", " --reference"}) {
     EXPECT_THAT(refuse(2, "render pair.glb --camera Lefd -o a.png" + renderer),
@@ -186,7 +186,7 @@ TEST_F(GltfSceneTest, AVariantIsShownAndExported) {
   red.unlit = true;
   scene.materials.push_back(red);
   scene.variants = {"plain", "red"};
-  scene.meshes[0].material_of_variant = {0, 1};
+  scene.meshes[0].edit().material_of_variant = {0, 1};
   writeModel("ball.glb", scene);
   const std::string how = " --size 16x16 -e white --samples 1 -o ball.exr";
   succeed("render ball.glb --variant red" + how);

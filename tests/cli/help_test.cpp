@@ -17,7 +17,7 @@
 #include "mirrorball/environment/cube/cube_layout.h"
 #include "mirrorball/environment/cube/preset.h"
 #include "mirrorball/environment/projection/projection.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "formula/color.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -94,7 +94,7 @@ TEST_F(TransferTest, MakesALightModelWithItsMap) {
   EXPECT_THAT(told, HasSubstr(" charts, stretch 1."));
   const auto light = loadModel(path("light.glb").string());
   ASSERT_TRUE(light) << light.error().message;
-  EXPECT_EQ(light->meshes[0].indices.size(), 900u);
+  EXPECT_EQ(light->meshes[0]->indices.size(), 900u);
   ASSERT_EQ(light->textures.size(), 1u);
   EXPECT_EQ(light->materials[0].normal_map.texture, 0);
   EXPECT_EQ(light->textures[0].image.width(), 128);

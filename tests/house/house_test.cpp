@@ -46,6 +46,9 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"study", {"render", "trace", "metric"}},
 };
 
+/// The folders of render/, each of which may include itself and those before it.
+const std::vector<std::string> kLayers = {"settings", "light", "surface", "stage", "frame"};
+
 constexpr std::size_t kLongestFile = 600;
 constexpr std::size_t kWidestLine = 120;  // columns, as .clang-format has it, which leaves comments alone
 
@@ -96,6 +99,8 @@ std::set<std::string> reachableFrom(const std::string& room) {
   return reachable;
 }
 
+bool isTest(const std::string& path) { return path.ends_with("_test.cpp") || path.ends_with("_testing.h"); }
+
 /// The third part of src/mirrorball/ROOM/…; empty for a file outside the rooms, as src/mirrorball/mirrorball.h is.
 std::string roomOf(const std::string& path) {
   const std::string rooms = "src/mirrorball/";
@@ -115,6 +120,23 @@ Complaints checkRoomRule(const SourceFile& file) {
     std::smatch match;
     if (std::regex_search(line, match, include) && !reachable.contains(match[1]))
       complaints.push_back(place(file, number) + room + " may not include " + match[1].str());
+  });
+  return complaints;
+}
+
+/// Tests may look at their layer from above.
+Complaints checkLayers(const SourceFile& file) {
+  const std::regex place_of(R"(^src/mirrorball/render/([a-z_]+)/)");
+  const std::regex include(R"re(^\s*#\s*include\s*"mirrorball/render/([a-z_]+)/)re");
+  std::smatch own;
+  if (!std::regex_search(file.path, own, place_of) || isTest(file.path)) return {};
+  const auto layerOf = [](const std::string& name) { return std::find(kLayers.begin(), kLayers.end(), name); };
+  if (layerOf(own[1]) == kLayers.end()) return {file.path + ": " + own[1].str() + " is no layer of render"};
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    std::smatch other;
+    if (std::regex_search(line, other, include) && layerOf(other[1]) > layerOf(own[1]))
+      complaints.push_back(place(file, number) + own[1].str() + " may not include " + other[1].str());
   });
   return complaints;
 }
@@ -153,8 +175,6 @@ Complaints checkFormula(const SourceFile& file) {
   });
   return complaints;
 }
-
-bool isTest(const std::string& path) { return path.ends_with("_test.cpp") || path.ends_with("_testing.h"); }
 
 /// libc++ 14 has no <=> of containers: what has some among its members has == and < of its own.
 Complaints checkThreeWay(const SourceFile& file) {
@@ -266,6 +286,15 @@ TEST(House, RoomsIncludeOnlyWhatTheTablePermits) {
   EXPECT_THAT(checkRoomRule({"src/mirrorball/render/x.h", "#include \"mirrorball/base/file.h\"\n"}), IsEmpty());
   EXPECT_THAT(checkRoomRule({"src/mirrorball/attic/x.h", ""}), SizeIs(1));
   EXPECT_THAT(checkTree(checkRoomRule), IsEmpty());
+}
+
+TEST(House, LayersOfTheRendererIncludeThoseBelow) {
+  const std::string upwards = "#include \"mirrorball/render/stage/stage.h\"\n";
+  EXPECT_THAT(checkLayers({"src/mirrorball/render/light/x.h", upwards}), SizeIs(1));
+  EXPECT_THAT(checkLayers({"src/mirrorball/render/light/x_test.cpp", upwards}), IsEmpty());
+  EXPECT_THAT(checkLayers({"src/mirrorball/render/frame/x.cpp", upwards}), IsEmpty());
+  EXPECT_THAT(checkLayers({"src/mirrorball/render/attic/x.cpp", ""}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkLayers), IsEmpty());
 }
 
 TEST(House, RoomsAreLinkedWithWhatTheTablePermits) {

@@ -8,12 +8,12 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "mirrorball/gl/gl_api.h"
+#include "mirrorball/gl/platform/platform.h"
 
 namespace mirrorball::gl {
 namespace {
 
-void destroyShader(unsigned name) { glDeleteShader(name); }
-using Shader = Handle<destroyShader>;
+constexpr GLenum kCompletionStatus = 0x91B1;  // KHR_parallel_shader_compile
 
 /// The compiler's or linker's words: `get` is glGetShaderiv or glGetProgramiv, and so on.
 template <typename GetNumber, typename GetLog>
@@ -25,22 +25,6 @@ std::string logOf(GLuint object, GetNumber get, GetLog get_log) {
   get_log(object, length, &written, log.data());
   log.resize(static_cast<std::size_t>(written));
   return log;
-}
-
-Result<Shader> compile(GLenum stage, const ShaderSource& source, const std::string& name) {
-  Shader shader(glCreateShader(stage));
-  const char* text = source.text.data();
-  const GLint length = static_cast<GLint>(source.text.size());
-  glShaderSource(shader.name(), 1, &text, &length);
-  glCompileShader(shader.name());
-  GLint compiled = GL_FALSE;
-  glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
-  if (!compiled) {
-    return fail(ErrorCode::unsupported,
-                name + ": the graphics driver cannot compile this shader: " +
-                    namedLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source.files));
-  }
-  return shader;
 }
 
 /// The lines of a shader that declare uniforms.
@@ -61,22 +45,60 @@ std::string uniformsIn(std::string_view text) {
 
 }  // namespace
 
-Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name) {
-  MIRRORBALL_TRY(vertex_shader, compile(GL_VERTEX_SHADER, vertex, name));
-  MIRRORBALL_TRY(fragment_shader, compile(GL_FRAGMENT_SHADER, fragment, name));
-  Program program(glCreateProgram());
-  const GLuint handle = program.handle_.name();
-  glAttachShader(handle, vertex_shader.name());
-  glAttachShader(handle, fragment_shader.name());
-  glLinkProgram(handle);
+PendingProgram::Stage PendingProgram::compile(unsigned kind, ShaderSource source) {
+  Handle<destroyShader> shader(glCreateShader(kind));
+  const char* text = source.text.data();
+  const GLint length = static_cast<GLint>(source.text.size());
+  glShaderSource(shader.name(), 1, &text, &length);
+  glCompileShader(shader.name());
+  return {std::move(source), std::move(shader)};
+}
+
+void PendingProgram::destroyShader(unsigned name) { glDeleteShader(name); }
+
+PendingProgram::PendingProgram(ShaderSource vertex, ShaderSource fragment, std::string name)
+    : name_(std::move(name)),
+      vertex_(compile(GL_VERTEX_SHADER, std::move(vertex))),
+      fragment_(compile(GL_FRAGMENT_SHADER, std::move(fragment))),
+      program_(glCreateProgram()) {
+  const GLuint program = program_.handle_.name();
+  glAttachShader(program, vertex_.shader.name());
+  glAttachShader(program, fragment_.shader.name());
+  glLinkProgram(program);
+}
+
+bool PendingProgram::isReady() const {
+  if (!hasExtension("GL_KHR_parallel_shader_compile")) return true;
+  GLint is_complete = GL_TRUE;
+  glGetProgramiv(program_.handle_.name(), kCompletionStatus, &is_complete);
+  return is_complete != GL_FALSE;
+}
+
+Result<void> PendingProgram::check(const Stage& stage) const {
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(stage.shader.name(), GL_COMPILE_STATUS, &compiled);
+  if (compiled) return {};
+  return fail(ErrorCode::unsupported,
+              name_ + ": the graphics driver cannot compile this shader: " +
+                  namedLog(logOf(stage.shader.name(), glGetShaderiv, glGetShaderInfoLog), stage.source.files));
+}
+
+Result<Program> PendingProgram::finish() {
+  MIRRORBALL_TRY_VOID(check(vertex_));
+  MIRRORBALL_TRY_VOID(check(fragment_));
+  const GLuint program = program_.handle_.name();
   GLint linked = GL_FALSE;
-  glGetProgramiv(handle, GL_LINK_STATUS, &linked);
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (!linked) {
-    return fail(ErrorCode::unsupported, name + ": the graphics driver cannot link this shader: " +
-                                            namedLog(logOf(handle, glGetProgramiv, glGetProgramInfoLog), {}));
+    return fail(ErrorCode::unsupported, name_ + ": the graphics driver cannot link this shader: " +
+                                            namedLog(logOf(program, glGetProgramiv, glGetProgramInfoLog), {}));
   }
-  program.declarations_ = uniformsIn(vertex.text) + uniformsIn(fragment.text);
-  return program;
+  program_.declarations_ = uniformsIn(vertex_.source.text) + uniformsIn(fragment_.source.text);
+  return std::move(program_);
+}
+
+Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name) {
+  return PendingProgram(vertex, fragment, name).finish();
 }
 
 Result<Program> Program::load(Api api, std::string_view vertex_entry, std::string_view fragment_entry,

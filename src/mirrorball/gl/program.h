@@ -56,6 +56,7 @@ class Program {
   void set(std::string_view uniform, std::span<const glm::vec4> values);
 
  private:
+  friend class PendingProgram;
   static void destroy(unsigned name);
   explicit Program(unsigned name) : handle_(name) {}
   int locationOf(std::string_view uniform);
@@ -64,6 +65,36 @@ class Program {
   /// Of the uniforms asked for so far; −1 for those that the program lacks.
   std::map<std::string, int, std::less<>> locations_;
   std::string declarations_;  // the lines of its shaders that declare uniforms
+};
+
+/// A program that was given to the driver, which may make it beside others that are submitted before one of them is
+/// finished (KHR_parallel_shader_compile).
+class PendingProgram {
+ public:
+  /// name   for messages
+  PendingProgram(ShaderSource vertex, ShaderSource fragment, std::string name);
+
+  /// Whether finish() does not wait, as far as the driver says so.
+  bool isReady() const;
+
+  /// Waits for it. Can be called once.
+  ///
+  /// errors   as Program::build's
+  Result<Program> finish();
+
+ private:
+  static void destroyShader(unsigned name);
+  struct Stage {
+    ShaderSource source;
+    Handle<destroyShader> shader;
+  };
+  static Stage compile(unsigned kind, ShaderSource source);
+  Result<void> check(const Stage& stage) const;
+
+  std::string name_;
+  Stage vertex_;
+  Stage fragment_;
+  Program program_;
 };
 
 }  // namespace mirrorball::gl

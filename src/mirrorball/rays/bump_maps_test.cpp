@@ -55,11 +55,11 @@ TEST(BumpMaps, SlopesGiveWayToHeightsAndNeedCoordinates) {
   Scene both = testing::bumpyPair(BumpForm::heights, {});
   const glm::vec3 of_heights = normalAt(both, {0.3f, 0.1f});
   both.materials[0].slope_texture = 0;
-  both.slope_textures.emplace_back(1, 1, 3);
-  both.slope_textures[0].texel(0, 0)[2] = 0.75f;
+  both.slope_textures.push_back(Image(1, 1, 3));
+  both.slope_textures[0].edit().texel(0, 0)[2] = 0.75f;
   EXPECT_EQ(normalAt(both, {0.3f, 0.1f}), of_heights);
   EXPECT_LT(glm::distance(normalAt(both, {0.3f, 0.1f}, ReliefKind::none), glm::vec3(0.0f, 0.6f, 0.8f)), 1e-5f);
-  for (Vertex& vertex : both.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+  for (Vertex& vertex : both.meshes[0].edit().vertices) vertex.uv[0] = glm::vec2(0.0f);
   EXPECT_EQ(normalAt(both, {0.3f, 0.1f}, ReliefKind::none), glm::vec3(0.0f, 0.0f, 1.0f));
 }
 

@@ -25,7 +25,7 @@ EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::
   for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
     const Material& material = materialOf(scene, instance);
     if ((material.emission == glm::vec3(0.0f) && !material.unlit) || (counts && !counts(instance))) continue;
-    const std::size_t count = scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3;
+    const std::size_t count = scene.meshes[std::size_t(scene.instances[instance].mesh)]->indices.size() / 3;
     kept_[instance].assign(count, 0);
     for (std::uint32_t triangle = 0; triangle < count; ++triangle) add(instance, triangle);
   }

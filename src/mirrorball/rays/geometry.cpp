@@ -28,7 +28,7 @@ std::uint64_t memoryFor(const Scene& scene, std::uint64_t bytes_each, bool is_of
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (!is_of_reliefs || hasRelief(scene, i))
-      bytes += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3 * bytes_each;
+      bytes += scene.meshes[std::size_t(scene.instances[i].mesh)]->indices.size() / 3 * bytes_each;
   return bytes;
 }
 

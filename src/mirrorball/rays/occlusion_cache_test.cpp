@@ -101,7 +101,7 @@ TEST_F(OcclusionCacheTest, IsFoundAgainBitForBit) {
 TEST_F(OcclusionCacheTest, IsTakenInPlaceOfRays) {
   Scene scene = twoBalls();
   for (Instance& instance : scene.instances)
-    instance.occlusion.assign(scene.meshes[0].vertices.size(), {.open = 0.25f});
+    instance.occlusion.assign(scene.meshes[0]->vertices.size(), {.open = 0.25f});
   const SceneOcclusionSettings settings{.rays = 80};
   const std::string key = OcclusionCache::keyOf(scene, settings);
   OcclusionCache(*cache_).keep(key, false, scene, std::vector<MeshRefinement>(scene.meshes.size()));
@@ -115,19 +115,19 @@ TEST_F(OcclusionCacheTest, HowMeshesAreCutIsKept) {
     Scene scene = twoBalls();
     scene.materials.push_back({});
     scene.meshes.push_back(planeMesh());
-    scene.meshes[1].material = 1;
+    scene.meshes[1].edit().material = 1;
     scene.instances.push_back({.mesh = 1, .world_from_object = glm::mat4(4.0f)});
     scene.instances[2].world_from_object[3] = glm::vec4(0.0f, -1.0f, 0.0f, 1.0f);
     return scene;
   };
   constexpr SceneOcclusionSettings kRefined{.rays = 80, .refines = true};
   const Scene made = found(make(), kRefined);
-  EXPECT_GT(made.meshes[1].vertices.size(), planeMesh().vertices.size());
+  EXPECT_GT(made.meshes[1]->vertices.size(), planeMesh().vertices.size());
   EXPECT_TRUE(bitsOf(found(make(), kRefined, cache_)) == bitsOf(made));
   Scene again = make();
   EXPECT_TRUE(OcclusionCache(*cache_).find(OcclusionCache::keyOf(again, kRefined), false, again));
   EXPECT_TRUE(bitsOf(again) == bitsOf(made));
-  EXPECT_EQ(again.meshes[1].indices, made.meshes[1].indices);
+  EXPECT_EQ(again.meshes[1]->indices, made.meshes[1]->indices);
   EXPECT_NE(OcclusionCache::keyOf(make(), kRefined), OcclusionCache::keyOf(make(), {.rays = 80}));
   // What has heights is not cut.
   Scene with_heights = make();
@@ -150,20 +150,20 @@ TEST_F(OcclusionCacheTest, AnotherKeyForAllThatItReads) {
   const std::pair<const char*, Change> changes[] = {
       {"rays", [](Scene&, auto& settings) { settings.rays = 81; }},
       {"materials", [](Scene&, auto& settings) { settings.finds_materials = false; }},
-      {"position", [](Scene& scene, auto&) { scene.meshes[0].vertices[40].position.x += 0.01f; }},
+      {"position", [](Scene& scene, auto&) { scene.meshes[0].edit().vertices[40].position.x += 0.01f; }},
       {"normal",
        [](Scene& scene, auto&) {
-         scene.meshes[0].vertices[40].normal = {1, 0, 0};
+         scene.meshes[0].edit().vertices[40].normal = {1, 0, 0};
        }},
-      {"colour", [](Scene& scene, auto&) { scene.meshes[0].vertices[40].color = glm::vec4(0.5f); }},
-      {"index", [](Scene& scene, auto&) { scene.meshes[0].indices[600] = scene.meshes[0].indices[601]; }},
+      {"colour", [](Scene& scene, auto&) { scene.meshes[0].edit().vertices[40].color = glm::vec4(0.5f); }},
+      {"index", [](Scene& scene, auto&) { scene.meshes[0].edit().indices[600] = scene.meshes[0]->indices[601]; }},
       {"place", [](Scene& scene, auto&) { scene.instances[1].world_from_object[3].x = 1.3f; }},
       {"instances", [](Scene& scene, auto&) { scene.instances.pop_back(); }},
       {"material", [](Scene& scene, auto&) { scene.materials[0].base_color.y = 0.9f; }},
       {"another material",
        [](Scene& scene, auto&) {
          scene.materials.push_back({});
-         scene.meshes[0].material = 1;
+         scene.meshes[0].edit().material = 1;
        }},
       {"alpha", [](Scene& scene, auto&) { scene.materials[0].alpha_mode = AlphaMode::opaque; }},
       {"unlit", [](Scene& scene, auto&) { scene.materials[0].unlit = true; }},

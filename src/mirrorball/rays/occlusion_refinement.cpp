@@ -229,7 +229,12 @@ Result<std::vector<MeshRefinement>> occlusionRefinements(const Scene& scene, con
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     if (!mayBeCut(scene, scene.meshes[mesh])) continue;
     refiners[mesh].emplace(scene, geometry, mesh, radius, budget);
-    if (!isTransmitting(scene, scene.meshes[mesh])) MIRRORBALL_TRY_VOID(refiners[mesh]->refine(progress));
+    if (isTransmitting(scene, scene.meshes[mesh])) continue;
+    // Nobody knows how many rounds a mesh takes: only whole ones are told.
+    const ProgressFunction of_mesh = [&](std::size_t, std::size_t) {
+      return !progress || progress(mesh, scene.meshes.size());
+    };
+    MIRRORBALL_TRY_VOID(refiners[mesh]->refine(of_mesh));
   }
   joinEdges(refiners);
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh)

@@ -42,9 +42,9 @@ TEST(OcclusionRefinement, AFloorIsCutWhereABallStands) {
   for (const glm::vec2 at : {glm::vec2(0.0f), glm::vec2(7.0f, -5.0f), glm::vec2(-2.0f, 9.0f)}) {
     Scene scene = ballOnFloor(12.0f, at);
     const std::vector<MeshRefinement> refinements = refinementsOf(scene);
-    refine(scene.meshes[0], refinements[0]);
+    refine(scene.meshes[0].edit(), refinements[0]);
     std::size_t near = 0, far = 0;
-    for (const Vertex& vertex : scene.meshes[0].vertices) {
+    for (const Vertex& vertex : scene.meshes[0]->vertices) {
       const float distance = glm::distance(glm::vec2(vertex.position.x, vertex.position.z), at);
       near += distance < 2.0f ? 1 : 0;
       far += distance > 8.0f ? 1 : 0;
@@ -66,7 +66,7 @@ TEST(OcclusionRefinement, ASheetIsCutForWhatItsBackSees) {
   scene.instances[1].world_from_object[3].y = -1.0f;
   EXPECT_TRUE(refinementsOf(scene)[0].empty());
   scene.materials.emplace_back().double_sided = true;
-  scene.meshes[0].material = 1;
+  scene.meshes[0].edit().material = 1;
   EXPECT_GT(refinementsOf(scene)[0].parents.size(), 30u);
 }
 
@@ -106,7 +106,7 @@ TEST(OcclusionRefinement, MeshesThatShareAnEdgeAreCutTogether) {
     scene.instances.push_back({.mesh = 2});
     scene.instances[2].world_from_object[3] = glm::vec4(1.5f, 1.0f, 2.0f, 1.0f);
     const std::vector<MeshRefinement> refinements = refinementsOf(scene);
-    for (int side = 0; side < 2; ++side) refine(scene.meshes[std::size_t(side)], refinements[std::size_t(side)]);
+    for (int side = 0; side < 2; ++side) refine(scene.meshes[std::size_t(side)].edit(), refinements[std::size_t(side)]);
     EXPECT_GT(endsAlongX0(scene.meshes[0]).size(), 4u);
     EXPECT_EQ(endsAlongX0(scene.meshes[0]), endsAlongX0(scene.meshes[1])) << (glass ? "glass" : "opaque");
   }
@@ -116,7 +116,7 @@ TEST(OcclusionRefinement, MeshesThatShareAnEdgeAreCutTogether) {
 TEST(OcclusionRefinement, AMeshBesideItselfInHalfItsSizeIsCutOnlySoFar) {
   for (const float far : {0.0f, 1e7f}) {
     Scene scene = ballOnFloor(12.0f, glm::vec2(1.5f));
-    for (Vertex& vertex : scene.meshes[0].vertices) vertex.position += glm::vec3(12.0f, 0.0f, 12.0f);
+    for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.position += glm::vec3(12.0f, 0.0f, 12.0f);
     scene.instances.push_back(scene.instances[0]);
     scene.instances.back().world_from_object = glm::mat4(0.5f);
     scene.instances.back().world_from_object[3][3] = 1.0f;
@@ -138,9 +138,9 @@ TEST(OcclusionRefinement, IsTheSameForAnyNumberOfThreads) {
 
 TEST(OcclusionRefinement, TakesMeshesThatAreNotSound) {
   Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
-  scene.meshes[0].vertices[0].position.x = std::numeric_limits<float>::quiet_NaN();
-  scene.meshes[0].vertices[3].normal = glm::vec3(0.0f);
-  scene.meshes[1].vertices[5].position.y = std::numeric_limits<float>::infinity();
+  scene.meshes[0].edit().vertices[0].position.x = std::numeric_limits<float>::quiet_NaN();
+  scene.meshes[0].edit().vertices[3].normal = glm::vec3(0.0f);
+  scene.meshes[1].edit().vertices[5].position.y = std::numeric_limits<float>::infinity();
   refinementsOf(scene);
   refinementsOf(Scene());
   refinementsOf(sceneOf(Mesh()));

@@ -147,8 +147,8 @@ TEST(RayTree, TakesWhatIsNotFiniteOrEmpty) {
   EXPECT_FALSE(nothing->hit(glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, 0.0f));
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   Scene scene = of("cube");
-  scene.meshes[0].vertices[0].position.x = kNaN;
-  scene.meshes[0].vertices[1].position.x = std::numeric_limits<float>::max();
+  scene.meshes[0].edit().vertices[0].position.x = kNaN;
+  scene.meshes[0].edit().vertices[1].position.x = std::numeric_limits<float>::max();
   const auto own = Geometry::make(scene, RayTracer::own);
   ASSERT_TRUE(own);
   EXPECT_TRUE(own->hit(glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, 0.0f) ||

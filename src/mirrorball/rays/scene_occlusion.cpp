@@ -91,7 +91,7 @@ class Finder {
     for (const Instance& instance : scene.instances)
       first_triangle_.push_back(
           first_triangle_.back() +
-          static_cast<std::uint32_t>(scene.meshes[std::size_t(instance.mesh)].indices.size() / 3));
+          static_cast<std::uint32_t>(scene.meshes[std::size_t(instance.mesh)]->indices.size() / 3));
   }
 
   Result<void> trace(const ProgressFunction& progress);
@@ -326,7 +326,7 @@ void Finder::smooth() {
     add(b, a);
   };
   for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
-    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
+    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)]->indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
       for (std::size_t edge = 0; edge < 3; ++edge) {
         const std::uint32_t a = places_.vertexOf(instance, indices[i + edge]);
@@ -344,7 +344,7 @@ void Finder::smooth() {
 void Finder::give(Scene& scene) const {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     Instance& instance = scene.instances[i];
-    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)]->vertices.size();
     instance.vertex_materials.resize(materials_.empty() ? 0 : vertices);
     for (std::size_t v = 0; v < instance.vertex_materials.size(); ++v)
       instance.vertex_materials[v] = materials_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];

@@ -70,7 +70,7 @@ Scene ballOverPlane(float radius, float height, Material of_ball = matt(0.0f)) {
 TEST(SceneOcclusion, ABallHidesItsFormFactorFromAPlane) {
   constexpr float kRadius = 0.5f, kHeight = 0.75f;
   const Scene scene = withOcclusion(ballOverPlane(kRadius, kHeight), 1024);
-  const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+  const std::vector<Vertex>& vertices = scene.meshes[0]->vertices;
   ASSERT_THAT(scene.instances[0].occlusion, SizeIs(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const glm::vec3 way = glm::vec3(0.0f, kHeight, 0.0f) - vertices[i].position;
@@ -89,9 +89,9 @@ TEST(SceneOcclusion, ABackSeesItsOwnSide) {
   for (const bool is_clockwise : {false, true}) {
     Scene scene = ballOverPlane(kRadius, -kHeight);
     scene.materials[0].double_sided = true;
-    if (is_clockwise) std::reverse(scene.meshes[0].indices.begin(), scene.meshes[0].indices.end());
+    if (is_clockwise) std::reverse(scene.meshes[0].edit().indices.begin(), scene.meshes[0].edit().indices.end());
     scene = withOcclusion(std::move(scene), 1024);
-    const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+    const std::vector<Vertex>& vertices = scene.meshes[0]->vertices;
     const std::vector<VertexOcclusion>& occlusion = scene.instances[0].occlusion;
     ASSERT_TRUE(knowsBacks(scene, 0));
     ASSERT_THAT(occlusion, SizeIs(2 * vertices.size()));
@@ -122,12 +122,12 @@ TEST(SceneOcclusion, AClosedBodyHasNoBacks) {
 TEST(SceneOcclusion, ASheetLetsNoLightThrough) {
   Scene scene = sceneOf(gridMesh(2.0f, 20), matt(0.0f));
   scene.meshes.push_back(gridMesh(2.0f, 20));
-  scene.meshes[1].material = 1;
+  scene.meshes[1].edit().material = 1;
   scene.materials.push_back(matt(0.9f));
   scene.materials[1].double_sided = true;
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0.1f, 0))});
   scene = withOcclusion(std::move(scene), 64);
-  const std::size_t middle = scene.meshes[0].vertices.size() / 2;
+  const std::size_t middle = scene.meshes[0]->vertices.size() / 2;
   EXPECT_LT(scene.instances[0].occlusion[middle].interreflected.x, 0.02f);
 }
 
@@ -141,8 +141,8 @@ TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {
   const float light = kBowlOpenShare / (1.0f - kAlbedo * (1.0f - kBowlOpenShare));
   std::size_t inside = 0;
   double open = 0.0;
-  for (std::size_t i = 0; i < bowl.meshes[0].vertices.size(); ++i) {
-    const Vertex& vertex = bowl.meshes[0].vertices[i];
+  for (std::size_t i = 0; i < bowl.meshes[0]->vertices.size(); ++i) {
+    const Vertex& vertex = bowl.meshes[0]->vertices[i];
     const VertexOcclusion& occlusion = bowl.instances[0].occlusion[i];
     if (glm::dot(vertex.position, vertex.normal) < -0.5f) {  // not on the rim
       ++inside;
@@ -167,7 +167,7 @@ TEST(SceneOcclusion, ABallThatShinesSendsItsFormFactor) {
     for (Material& material : scene.materials) material = matt(0.0f);
     scene.materials[1].emission = radiance;
     scene = withOcclusion(std::move(scene), 64);
-    const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+    const std::vector<Vertex>& vertices = scene.meshes[0]->vertices;
     const float brightest = radius * radius / (height * height);
     float sum = 0.0f, sum_of_shares = 0.0f;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -194,8 +194,8 @@ TEST(SceneOcclusion, WhatShinesIsReflected) {
   const float light = closed * 0.5f / (1.0f - kAlbedo * closed);
   double sum = 0.0;
   std::size_t inside = 0;
-  for (std::size_t i = 0; i < bowl.meshes[0].vertices.size(); ++i) {
-    const Vertex& vertex = bowl.meshes[0].vertices[i];
+  for (std::size_t i = 0; i < bowl.meshes[0]->vertices.size(); ++i) {
+    const Vertex& vertex = bowl.meshes[0]->vertices[i];
     if (glm::dot(vertex.position, vertex.normal) >= -0.5f) continue;
     ++inside;
     sum += bowl.instances[0].occlusion[i].emitted.y;
@@ -255,8 +255,8 @@ TEST(SceneOcclusion, ASmallWindowOfATextureShines) {
   scene = withOcclusion(std::move(scene), 1024);
   const glm::vec3 window(2.0f * 9.5f / 16.0f - 1.0f, kHeight, 2.0f * 4.5f / 16.0f - 1.0f);
   double sum = 0.0, expected = 0.0;
-  for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
-    const float distance = glm::distance(scene.meshes[0].vertices[i].position, window);
+  for (std::size_t i = 0; i < scene.meshes[0]->vertices.size(); ++i) {
+    const float distance = glm::distance(scene.meshes[0]->vertices[i].position, window);
     expected += kRadiance * (4.0f / 256.0f) * kHeight * kHeight / (formula::kPi * std::pow(distance, 4.0f));
     sum += scene.instances[0].occlusion[i].emitted.x;
   }
@@ -296,8 +296,8 @@ TEST(SceneOcclusion, AWallHidesHalfFromTheFloorBesideIt) {
                              .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 1, -1)) *
                                                   glm::scale(upright, glm::vec3(20.0f, 1.0f, 1.0f))});
   scene = withOcclusion(std::move(scene), 1024);
-  for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
-    const glm::vec3 at = scene.meshes[0].vertices[i].position;
+  for (std::size_t i = 0; i < scene.meshes[0]->vertices.size(); ++i) {
+    const glm::vec3 at = scene.meshes[0]->vertices[i].position;
     // Of a wall of height h at the distance x, infinitely long: (1 − x / √(x² + h²)) / 2 of the light is hidden.
     const float from_wall = at.z + 1.0f;
     const float hidden = 0.5f * (1.0f - from_wall / std::hypot(from_wall, 2.0f));
@@ -394,7 +394,7 @@ TEST(SceneOcclusion, StopsWhenTold) {
 // A texture of two halves: what lies in one of them looks as that does, and on their border between both.
 TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
   Scene scene = sceneOf(gridMesh(1.0f, 4), matt(0.5f));
-  for (Vertex& vertex : scene.meshes[0].vertices)
+  for (Vertex& vertex : scene.meshes[0].edit().vertices)
     vertex.uv[0] = 0.5f + 0.5f * glm::vec2(vertex.position.x, vertex.position.z);
   Texture halves{.image = Image8(64, 1, 4)};
   for (int x = 0; x < 64; ++x)
@@ -405,10 +405,10 @@ TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
   const auto geometry = Geometry::make(scene);
   ASSERT_TRUE(geometry);
   ASSERT_TRUE(findOcclusion(scene, *geometry, {.rays = 1, .finds_materials = true}));
-  ASSERT_THAT(scene.instances[0].vertex_materials, SizeIs(scene.meshes[0].vertices.size()));
-  for (std::size_t v = 0; v < scene.meshes[0].vertices.size(); ++v) {
+  ASSERT_THAT(scene.instances[0].vertex_materials, SizeIs(scene.meshes[0]->vertices.size()));
+  for (std::size_t v = 0; v < scene.meshes[0]->vertices.size(); ++v) {
     const VertexMaterial& material = scene.instances[0].vertex_materials[v];
-    const float x = scene.meshes[0].vertices[v].position.x;
+    const float x = scene.meshes[0]->vertices[v].position.x;
     const float expected = x < -0.1f ? 0.0f : (x > 0.1f ? 0.5f : 0.25f);
     EXPECT_NEAR(material.base_color.x, expected, x > -0.1f && x < 0.1f ? 0.13f : 0.01f) << x;
     EXPECT_EQ(material.emission, glm::vec3(3.0f));

@@ -90,7 +90,8 @@ Result<bool> hidesItself(const Scene& scene) {
   constexpr float kOpen = 0.9f;
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
   std::size_t count = 0;
-  for (const Instance& instance : scene.instances) count += scene.meshes[std::size_t(instance.mesh)].indices.size() / 3;
+  for (const Instance& instance : scene.instances)
+    count += scene.meshes[std::size_t(instance.mesh)]->indices.size() / 3;
   const std::size_t step = std::max<std::size_t>(1, (count + kTriangles - 1) / kTriangles);
   std::size_t next = 0;
   for (const Instance& instance : scene.instances) {

@@ -68,7 +68,7 @@ void findHoles(Scene& scene) {
       continue;
     }
     if (materialOf(scene, i).alpha_mode != AlphaMode::mask) continue;
-    std::vector<TriangleHoles> holes(scene.meshes[std::size_t(instance.mesh)].indices.size() / 3);
+    std::vector<TriangleHoles> holes(scene.meshes[std::size_t(instance.mesh)]->indices.size() / 3);
     parallelFor(holes.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t triangle = begin; triangle < end; ++triangle)
         holes[triangle] = holesOf(scene, i, static_cast<std::uint32_t>(triangle));

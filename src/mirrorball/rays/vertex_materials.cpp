@@ -32,7 +32,7 @@ VertexMaterial scaled(const VertexMaterial& material, float by) {
 /// Of each triangle of an instance.
 std::vector<VertexMaterial> materialsOfTriangles(const Scene& scene, std::span<const glm::mat3> world_from_normal,
                                                  std::size_t instance) {
-  std::vector<VertexMaterial> materials(scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3);
+  std::vector<VertexMaterial> materials(scene.meshes[std::size_t(scene.instances[instance].mesh)]->indices.size() / 3);
   parallelFor(materials.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const formula::Material material = materialInMiddle(scene, world_from_normal, instance, i);
@@ -49,7 +49,7 @@ std::vector<VertexMaterial> materialsOfVertices(const Scene& scene, const Vertex
   std::vector<VertexMaterial> sums(places.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
   std::vector<float> counts(places.size(), 0.0f);
   for (std::size_t instance = 0; instance < scene.instances.size(); ++instance) {
-    const std::vector<std::uint32_t>& indices = scene.meshes[std::size_t(scene.instances[instance].mesh)].indices;
+    const std::vector<std::uint32_t>& indices = scene.meshes[std::size_t(scene.instances[instance].mesh)]->indices;
     const std::vector<VertexMaterial> of_triangles = materialsOfTriangles(scene, world_from_normal, instance);
     for (std::size_t i = 0; i < 3 * of_triangles.size(); ++i) {
       const std::uint32_t vertex = places.vertexOf(instance, indices[i]);

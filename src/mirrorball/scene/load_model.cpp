@@ -198,6 +198,7 @@ Result<Scene> atMoment(Scene scene, const AnimationChoice& choice) {
     scene = std::move(moment);
   }
   MIRRORBALL_TRY_VOID(checkExtent(scene));
+  addNodes(scene);
   return scene;
 }
 

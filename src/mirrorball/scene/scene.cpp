@@ -12,12 +12,12 @@
 namespace mirrorball {
 
 const Material& materialOf(const Scene& scene, std::size_t instance) {
-  return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[instance].mesh)].material)];
+  return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[instance].mesh)]->material)];
 }
 
 bool knowsBacks(const Scene& scene, std::size_t instance) {
   const Instance& of = scene.instances[instance];
-  return of.occlusion.size() > scene.meshes[std::size_t(of.mesh)].vertices.size();
+  return of.occlusion.size() > scene.meshes[std::size_t(of.mesh)]->vertices.size();
 }
 
 Scene sceneOf(Mesh mesh, Material material) {
@@ -36,8 +36,11 @@ Result<void> chooseVariant(Scene& scene, const std::string& name) {
   const std::vector<std::string_view> names(scene.variants.begin(), scene.variants.end());
   const auto index = indexOfName(name, names);
   if (!index) return tl::unexpected<Error>(unknownName("variant", name, names));
-  for (Mesh& mesh : scene.meshes)
-    if (!mesh.material_of_variant.empty()) mesh.material = mesh.material_of_variant[*index];
+  for (Shared<Mesh>& mesh : scene.meshes) {
+    if (mesh->material_of_variant.empty()) continue;
+    const int material = mesh->material_of_variant[*index];
+    if (mesh->material != material) mesh.edit().material = material;
+  }
   return {};
 }
 
@@ -73,6 +76,22 @@ DoubleBox exactBox(const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::vector<PositionRun>> positionRuns(const Scene& scene) {
+  constexpr std::size_t kLongest = 64;
+  std::vector<std::vector<PositionRun>> runs;
+  for (const Mesh& mesh : scene.meshes) {
+    auto& of_mesh = runs.emplace_back();
+    const std::size_t count = framedVertices(mesh);
+    for (std::size_t first = 0; first < count; first += kLongest) {
+      PositionRun run{first, std::min(kLongest, count - first), {}};
+      for (std::size_t i = first; i < first + run.count; ++i)
+        run.box.include({mesh.vertices[i].position, mesh.vertices[i].position});
+      of_mesh.push_back(run);
+    }
+  }
+  return runs;
+}
 
 Box boundingBox(const Scene& scene) { return exactBox(scene).rounded(); }
 

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/base/shared.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/scene/animation/rig.h"
 #include "mirrorball/scene/box.h"
@@ -66,6 +67,7 @@ struct Instance {
   std::vector<VertexOcclusion> occlusion = {};
   std::vector<VertexMaterial> vertex_materials = {};  ///< of the mesh's vertices; empty: not known
   std::vector<TriangleHoles> holes = {};              ///< of its triangles; empty: none, or not known (findHoles)
+  int node = -1;                                      ///< that shows it, of Scene::rig; −1: none
 };
 
 /// A ball that encloses everything; what "model radii" on the command line means.
@@ -78,18 +80,20 @@ struct BoundingSphere {
 struct Scene {
   static constexpr std::size_t kMaxLights = 32;
 
-  std::vector<Mesh> meshes;
+  // Copies of a scene share what is large.
+  std::vector<Shared<Mesh>> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Texture> textures;
-  std::vector<HeightTexture> height_textures;
-  std::vector<Image> slope_textures;  ///< 3 channels (∂d/∂u, 0, ∂d/∂v), each in lengths of the surface; they tile
+  std::vector<Shared<HeightTexture>> height_textures;
+  std::vector<Shared<Image>>
+      slope_textures;  ///< 3 channels (∂d/∂u, 0, ∂d/∂v), each in lengths of the surface; they tile
   std::vector<ModelCamera> cameras;
   std::vector<ModelLight> lights;     ///< at most kMaxLights
   std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()
   std::vector<std::string> warnings;  ///< what was left out of a file, one line each
   std::vector<std::string> files;     ///< that were read beside the model's own
-  Rig rig;                            ///< what animations move; of a model without them nothing
+  Rig rig;                            ///< its nodes, and what moves them; a scene made by code needs none: addNodes()
 
   bool empty() const { return instances.empty(); }
 };

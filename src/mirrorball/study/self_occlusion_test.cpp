@@ -210,7 +210,8 @@ TEST_F(SelfOcclusion, ASmallLampMakesNoRoughMetalGlow) {
     Scene scene = onFloor(std::move(ball), 0.3f);
     // Of many vertices: the lamp is too small for a floor of two triangles to be cut below it.
     scene.meshes[0] = sphereMesh(64, 128);
-    for (Vertex& vertex : scene.meshes[0].vertices) vertex.position = 0.5f * vertex.position - glm::vec3(0, 0.5f, 0);
+    for (Vertex& vertex : scene.meshes[0].edit().vertices)
+      vertex.position = 0.5f * vertex.position - glm::vec3(0, 0.5f, 0);
     scene.materials[0].metallic = 1.0f;
     scene.materials[0].perceptual_roughness = roughness;
     scene.materials[1].emission = glm::vec3(400.0f);

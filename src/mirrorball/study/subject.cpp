@@ -115,9 +115,9 @@ void setElevation(double value_deg, Scene&, FrameSettings& frame) {
 
 void setRings(double value, Scene& scene, FrameSettings&) {
   const int rings = static_cast<int>(value);
-  const int material = scene.meshes[0].material;
+  const int material = scene.meshes[0]->material;
   scene.meshes[0] = sphereMesh(rings, 2 * rings);
-  scene.meshes[0].material = material;
+  scene.meshes[0].edit().material = material;
 }
 
 /// Puts a red sphere beside the one that there is, and the camera where the first is seen whole and in one place, so
@@ -126,7 +126,7 @@ void setGap(double value, Scene& scene, FrameSettings& frame) {
   const glm::vec3 aside(2.0f + static_cast<float>(value), 0.0f, 0.0f);
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), aside)});
   scene.meshes.push_back(scene.meshes[0]);
-  scene.meshes[1].material = 1;
+  scene.meshes[1].edit().material = 1;
   scene.materials.push_back(*materialNamed("plastic"));
   frame.camera = {.azimuth_deg = -20.0f,
                   .elevation_deg = 10.0f,

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/render/frame/frame_settings.h"
-#include "mirrorball/render/frame/quality.h"
+#include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/trace/path_tracer.h"
 

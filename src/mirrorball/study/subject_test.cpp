@@ -56,14 +56,14 @@ TEST(Subjects, TheBuiltInScenesAreThereAndASeriesChangesThem) {
         FrameSettings frame;
         subject.series->change(value, changed, frame);
         return std::tuple(boundingSphere(changed).radius, frame.camera.fov_deg, frame.camera.elevation_deg,
-                          changed.materials[0].perceptual_roughness, changed.meshes[0].vertices.size());
+                          changed.materials[0].perceptual_roughness, changed.meshes[0]->vertices.size());
       };
       // A path tracer sorts triangles anew only for a series that says so.
       const auto verticesAfter = [&](double value) {
         Scene changed = *scene;
         FrameSettings frame;
         subject.series->change(value, changed, frame);
-        return std::pair(changed.meshes[0].vertices.size(), changed.instances.back().world_from_object);
+        return std::pair(changed.meshes[0]->vertices.size(), changed.instances.back().world_from_object);
       };
       const auto& values = subject.series->values;
       EXPECT_EQ(verticesAfter(values.front()) != verticesAfter(values.back()), subject.series->changes_shapes)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/trace/trace_settings.h"
 
 namespace mirrorball {

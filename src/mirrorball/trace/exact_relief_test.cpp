@@ -155,7 +155,7 @@ void expectNothingIsHidden(const char* shape, HeightKind height, bool is_double_
   const Camera camera =
       makeCamera({.azimuth_deg = 30.0f, .elevation_deg = 20.0f, .distance = 3.0f}, bounds, 4.0f / 3.0f);
   Scene unbounded = scene;
-  unbounded.height_textures[0].bounds = {};
+  unbounded.height_textures[0].edit().bounds = {};
   const Geometry bounded = reliefGeometry(scene), whole = reliefGeometry(unbounded);
   const glm::ivec2 size(120, 90);
   const CameraRays rays = raysOf(camera, size, {});

@@ -230,7 +230,7 @@ TEST(PathTracer, TheEnvironmentTurns) {
 
 TEST(PathTracer, BrokenTrianglesAreLeftOut) {
   Scene scene = shapeOf("sphere", matt(1.0f));
-  Mesh& mesh = scene.meshes[0];
+  Mesh& mesh = scene.meshes[0].edit();
   mesh.vertices[0].position.x = std::numeric_limits<float>::quiet_NaN();
   mesh.vertices[1].position.y = std::numeric_limits<float>::infinity();
   mesh.indices.insert(mesh.indices.end(), {5, 5, 5});

@@ -138,7 +138,7 @@ TEST(Transmission, ABodyIsWhatIsWithinItsSurface) {
   Material grey = clear(1.0f);
   grey.base_color = glm::vec3(0.5f);
   Scene scene = balls({{1.0f, grey}});
-  Mesh& mesh = scene.meshes[0];
+  Mesh& mesh = scene.meshes[0].edit();
   const Mesh ball = mesh;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (Vertex vertex : ball.vertices) {

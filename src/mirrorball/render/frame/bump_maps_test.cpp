@@ -102,8 +102,8 @@ TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
     material.slope_texture = 0;
     material.derivative_scale = scale;
     Scene scene = sceneOf(testing::mirroredPair(), material);
-    scene.slope_textures.emplace_back(1, 1, 3);
-    scene.slope_textures[0].texel(0, 0)[0] = slope;
+    scene.slope_textures.push_back(Image(1, 1, 3));
+    scene.slope_textures[0].edit().texel(0, 0)[0] = slope;
     return middle(drawn(std::move(scene)));
   };
   const auto expectNear = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 2e-3f); };
@@ -119,7 +119,7 @@ TEST_P(BumpMapsTest, SlopesThatAPixelAveragesAwayBlur) {
   Material material = bumpyMirror();
   material.slope_texture = 0;
   Scene scene = sceneOf(testing::mirroredPair(), material);
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] *= 64.0f;
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] *= 64.0f;
   scene.slope_textures.push_back(*derivativesFromHeights(testing::hills(), {.scale = 0.5f}));
   const Image image = drawn(scene);
   EXPECT_LT(middle(image).z, mirrored({0.0f, 0.0f, 1.0f}).z - 0.05f);
@@ -162,7 +162,7 @@ TEST_P(BumpMapsTest, HillsOfEveryFormAreWhiteInTheFurnace) {
 // Without coordinates there is no direction along which a slope could be told.
 TEST_P(BumpMapsTest, SlopesOnAMeshWithoutCoordinatesLeaveItSmooth) {
   Scene scene = testing::bumpyPair(BumpForm::derivative_map, bumpyMirror());
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] = glm::vec2(0.0f);
   EXPECT_LT(glm::distance(middle(drawn(std::move(scene))), mirrored({0.0f, 0.0f, 1.0f})), 2e-3f);
 }
 
@@ -170,8 +170,8 @@ TEST_P(BumpMapsTest, SlopesOnAMeshWithoutCoordinatesLeaveItSmooth) {
 TEST_P(BumpMapsTest, SlopesGiveWayToHeights) {
   Scene both = testing::bumpyPair(BumpForm::heights, bumpyMirror());
   both.materials[0].slope_texture = 0;
-  both.slope_textures.emplace_back(1, 1, 3);
-  both.slope_textures[0].texel(0, 0)[0] = 0.75f;
+  both.slope_textures.push_back(Image(1, 1, 3));
+  both.slope_textures[0].edit().texel(0, 0)[0] = 0.75f;
   const glm::vec3 of_heights = middle(drawn(testing::bumpyPair(BumpForm::heights, bumpyMirror())));
   EXPECT_LT(glm::distance(middle(drawn(both)), of_heights), 1e-5f);
   FrameSettings settings;

@@ -4,22 +4,27 @@
 #include <utility>
 
 #include "mirrorball/render/surface/sphere_map.h"
+#include "mirrorball/render/surface/texture_coordinates.h"
 
 namespace mirrorball {
 
-Result<void> FrameLight::begin(const StagedScene& staged, const FrameSettings& settings, FrameUniforms& frame) {
-  frame.environment_from_world = settings.environmentFromWorld();
+Result<LightUniforms> FrameLight::begin(const StagedScene& staged, const FrameSettings& settings,
+                                        const Camera& camera) {
   MIRRORBALL_TRY_VOID(placeProxy(staged, settings));
-  frame.proxy = &proxy_;
   const gl::Api api = device_->context.api();
   MIRRORBALL_TRY(chain, light_->prefilteredChain(api, settings.blur));
-  frame.prefiltered = chain;
-  frame.flat = nullptr;
+  LightUniforms uniforms{
+      .prefiltered = chain, .environment_from_world = settings.environmentFromWorld(), .proxy = &proxy_};
   if (settings.look_up != LightLookUp::cube) {
     MIRRORBALL_TRY(flat, light_->flatLight(api, settings.blur));
-    frame.flat = flat;
+    uniforms.flat = flat;
   }
-  return {};
+  if (coordinateChoice(staged.scene(), settings).is_sphere_map) {
+    MIRRORBALL_TRY_VOID(
+        makeSphereMap(uniforms.environment_from_world * glm::transpose(glm::mat3(camera.view_from_world))));
+    uniforms.sphere_map = &*sphere_map_;
+  }
+  return uniforms;
 }
 
 /// What the environment's light comes from, with the shadow on it.
@@ -54,9 +59,7 @@ Result<void> FrameLight::makeGroundShadow(const StagedScene& staged, const glm::
   return {};
 }
 
-Result<void> FrameLight::makeSphereMap(FrameUniforms& frame) {
-  const glm::mat3 environment_from_view =
-      frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
+Result<void> FrameLight::makeSphereMap(const glm::mat3& environment_from_view) {
   const int size = std::min(light_->environment().naturalSize(Projection::sphere), 2048);
   Image image = sphereMapTexture(light_->environment(), environment_from_view, size);
   for (float& light_sample : image.samples()) light_sample /= light().unit();
@@ -64,7 +67,6 @@ Result<void> FrameLight::makeSphereMap(FrameUniforms& frame) {
   MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));
   made.setSampling({.filter = gl::Sampling::Filter::linear});
   sphere_map_ = std::move(made);
-  frame.sphere_map = &*sphere_map_;
   return {};
 }
 

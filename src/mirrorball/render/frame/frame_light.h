@@ -6,9 +6,9 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/ground_shadow.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/render/stage/staged_light.h"
 #include "mirrorball/render/stage/staged_scene.h"
@@ -25,17 +25,17 @@ class FrameLight {
   const EnvironmentLight& light() const { return light_->light(); }
   const gl::Texture& sphereMap() const { return *sphere_map_; }
 
-  /// Makes what a frame of a scene reads, but for the sphere map, and says it in `frame`, whose camera must be set.
+  /// Makes what a frame of a scene reads.
   ///
-  /// errors   too_large; unsupported (the driver has no anisotropic filter, or does not compile a shader)
-  Result<void> begin(const StagedScene& staged, const FrameSettings& settings, FrameUniforms& frame);
+  /// returns  valid until the next call
+  /// errors   too_large; unsupported (the driver does not compile a shader)
+  Result<LightUniforms> begin(const StagedScene& staged, const FrameSettings& settings, const Camera& camera);
 
+ private:
   /// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.
   ///
   /// errors   too_large
-  Result<void> makeSphereMap(FrameUniforms& frame);
-
- private:
+  Result<void> makeSphereMap(const glm::mat3& environment_from_view);
   /// What the shadow on the ground depends on, beside where that is.
   struct ShadowOf {
     glm::mat3 environment_from_world;

@@ -59,7 +59,7 @@ Result<void> GroundMirror::finish(bool is_blurred) {
 }
 
 void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& settings, const Box& scene) {
-  const Camera& camera = frame.camera;
+  const Camera& camera = frame.sample.camera;
   const float alpha = formula::alphaFromPerceptualRoughness(settings.proxy.ground_roughness);
   const int taps = alpha > 0.0f ? std::max(kTapsOfPixel / settings.samples, kLeastTaps) : 1;
   setEyeRay(program_, camera);
@@ -69,7 +69,7 @@ void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& setting
   program_.set("scene_high", scene.high);
   program_.set("alpha", alpha);
   program_.set("taps", taps);
-  program_.set("first_tap", frame.sample * taps);
+  program_.set("first_tap", frame.sample.number * taps);
   program_.set("taps_of_pixel", static_cast<float>(taps * settings.samples));
   program_.set("pixels_per_slope", 0.5f * static_cast<float>(picture_->height()) * camera.clip_from_view[1][1]);
   halves_->color().bind(kFreeUnit);

@@ -7,7 +7,7 @@
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
 #include "mirrorball/scene/box.h"
 #include "mirrorball/scene/scene.h"

@@ -46,6 +46,7 @@ std::optional<Picked> pickAlong(const EyeRay& ray, const Scene& scene, const Geo
   const Material& material = scene.materials[std::size_t(mesh.material)];
   const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(instance.world_from_object)));
   Picked picked{.instance = hit->instance,
+                .node = instance.node,
                 .material = std::size_t(mesh.material),
                 .triangle = hit->triangle,
                 .position = hit->relief ? hit->relief->position : ray.origin + hit->distance * ray.direction,

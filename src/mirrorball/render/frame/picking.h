@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/rays/geometry.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/camera/eye_rays.h"
 #include "mirrorball/scene/scene.h"
 
@@ -15,6 +15,7 @@ namespace mirrorball {
 /// What is seen at a place of a picture.
 struct Picked {
   std::size_t instance = 0;  ///< index into Scene::instances
+  int node = -1;             ///< that shows it: Instance::node
   std::size_t material = 0;  ///< index into Scene::materials
   /// Of the instance's mesh; nothing where frames show it cut into smaller ones.
   std::optional<std::uint32_t> triangle = {};

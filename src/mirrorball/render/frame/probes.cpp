@@ -49,11 +49,11 @@ SurfaceLight surfaceLight(const ProbeLight& light, const FrameSettings& settings
 
 }  // namespace
 
-Result<void> Probes::begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light, std::uint64_t environment,
-                           const FrameSettings& settings, FrameUniforms& frame) {
-  frame.probes = nullptr;
+Result<const ProbeUniforms*> Probes::begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light,
+                                           std::uint64_t environment, const FrameSettings& settings,
+                                           const FrameUniforms& frame) {
   // A sphere map stands for all that is reflected.
-  if (settings.probes == 0 || coordinateChoice(drawing.scene(), settings).is_sphere_map) return {};
+  if (settings.probes == 0 || coordinateChoice(drawing.scene(), settings).is_sphere_map) return nullptr;
   const Captured wanted{settingsOfFace(settings), drawing.staged().version(StagePart::scene), environment};
   if (captured_ != wanted) {
     captured_.reset();
@@ -62,6 +62,7 @@ Result<void> Probes::begin(gl::Api api, SceneDrawing& drawing, const Environment
     places_.others.resize(std::min(places_.others.size(), kMostBlended));
     MIRRORBALL_TRY_VOID(makeLights(api, light, wanted.settings));
     FrameUniforms of_face = frame;
+    of_face.probes = nullptr;
     for (int bounce = 0; bounce < settings.probe_bounces; ++bounce) {
       for (std::size_t probe = 0; probe < lights_.size(); ++probe)
         MIRRORBALL_TRY_VOID(capture(probe, drawing, light, wanted.settings, of_face));
@@ -71,8 +72,7 @@ Result<void> Probes::begin(gl::Api api, SceneDrawing& drawing, const Environment
     }
     captured_ = wanted;
   }
-  if (!lights_.empty()) frame.probes = &uniforms_;
-  return {};
+  return lights_.empty() ? nullptr : &uniforms_;
 }
 
 Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, const FrameSettings& settings) {
@@ -103,10 +103,11 @@ Result<void> Probes::capture(std::size_t probe, SceneDrawing& drawing, const Env
                              const FrameSettings& settings, FrameUniforms frame) {
   const ReflectiveObject& object = places_.probes[probe];
   const DepthRange depths = depthsAround(object.middle, drawing.staged().bounds());
-  frame.hidden = object.instances;
+  frame.sample.hidden = object.instances;
   for (int face = 0; face < 6; ++face) {
-    frame.camera = cubeFaceCamera(face, object.middle, depths);
-    MIRRORBALL_TRY_VOID(drawing.begin(settings, frame));
+    frame.sample.camera = cubeFaceCamera(face, object.middle, depths);
+    MIRRORBALL_TRY(of_scene, drawing.begin(settings, frame.sample, *frame.light.proxy));
+    frame.scene = of_scene;
     MIRRORBALL_TRY_VOID(drawing.draw(*picture_, light, frame, settings));
     filter_->setFace(lights_[probe], face, picture_->color());
     MIRRORBALL_TRY(nearness, drawing.drawNearness(*picture_, frame));

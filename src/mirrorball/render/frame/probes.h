@@ -7,11 +7,11 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/context.h"
 #include "mirrorball/gl/framebuffer.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/frame/scene_drawing.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/probe_light.h"
 #include "mirrorball/render/light/probe_places.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball {
 
@@ -19,13 +19,15 @@ namespace mirrorball {
 /// these objects read. It is captured again only if the scene, its light or how it is drawn has changed.
 class Probes {
  public:
-  /// Captures what a frame needs, and says it in `frame`, for which the light and the drawing have begun.
+  /// Captures what a frame needs, for which the light and the drawing have begun.
   ///
   /// environment   its version
+  /// returns  valid until the next call; null: the frame has none
   /// errors   as SceneDrawing's
   /// cost     for each probe and bounce, six faces without samples and GpuPrefilter::run
-  Result<void> begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light, std::uint64_t environment,
-                     const FrameSettings& settings, FrameUniforms& frame);
+  Result<const ProbeUniforms*> begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light,
+                                     std::uint64_t environment, const FrameSettings& settings,
+                                     const FrameUniforms& frame);
 
   /// How often a probe was captured until now.
   int captures() const { return captures_; }

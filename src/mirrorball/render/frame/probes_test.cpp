@@ -162,9 +162,9 @@ struct Begun {
 
   void begin(const FrameSettings& settings) {
     drawing.show(*stage.state().formFor(settings));
-    ASSERT_TRUE(light.begin(drawing.staged(), settings, frame));
-    ASSERT_TRUE(drawing.begin(settings, frame));
-    ASSERT_TRUE(probes.begin(device.state().context.api(), drawing, light.light(), 1, settings, frame));
+    frame.light = *light.begin(drawing.staged(), settings, frame.sample.camera);
+    frame.scene = *drawing.begin(settings, frame.sample, *frame.light.proxy);
+    frame.probes = *probes.begin(device.state().context.api(), drawing, light.light(), 1, settings, frame);
   }
 };
 
@@ -231,6 +231,9 @@ TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
   ASSERT_TRUE(renderer.moveInstances(instances));
   EXPECT_EQ(capturesOf(settings), 4);
   Scene scene = renderer.scene();
+  ASSERT_TRUE(renderer.setScene(scene));
+  EXPECT_EQ(capturesOf(settings), 0) << "the same scene";
+  scene.meshes[0].edit().vertices[0].position *= 1.01f;
   ASSERT_TRUE(renderer.setScene(scene));
   EXPECT_EQ(capturesOf(settings), 4) << "another scene";
   const Environment light(testing::smoothRadiance, 64);

@@ -206,7 +206,7 @@ TEST_F(ProxyTest, ASheetThrowsAShadowWhereTheGroundSeesItsFront) {
     scene.meshes.push_back(planeMesh());
     scene.instances.push_back(
         {1, glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(9.0f, 0.0f, 0.0f)), glm::vec3(0.01f))});
-    scene.meshes[1].material = 0;
+    scene.meshes[1].edit().material = 0;
     FrameSettings settings;
     settings.size = {33, 33};
     settings.samples = 1;

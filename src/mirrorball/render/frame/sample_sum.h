@@ -7,7 +7,7 @@
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball {
 

@@ -25,6 +25,18 @@ bool showsGroundMirror(const FrameSettings& settings) {
   return settings.background == BackgroundKind::environment && settings.proxy.mirrorsScene();
 }
 
+/// Whether surfaces are laid over each other, or hide each other.
+void setBlending(bool is_blended) {
+  if (is_blended) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+  } else {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+}
+
 }  // namespace
 
 Result<const gl::Texture*> SceneDrawing::drawNearness(const gl::Framebuffer& picture, const FrameUniforms& frame) {
@@ -46,14 +58,14 @@ bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
 /// What has been drawn until now, for the surfaces that see it through themselves.
 Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
                                       FrameUniforms& frame, const FrameSettings& settings) {
-  frame.screen_unit = staged_->bounds().radius;
+  frame.screen.unit = staged_->bounds().radius;
   if (!opaque_picture_) {
     MIRRORBALL_TRY(made, OpaquePicture::make(api()));
     opaque_picture_ = std::move(made);
   }
   const int levels = someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1;
-  MIRRORBALL_TRY_VOID(opaque_picture_->take(target, frame.camera, frame.screen_unit, levels));
-  frame.opaque_picture = &opaque_picture_->picture();
+  MIRRORBALL_TRY_VOID(opaque_picture_->take(target, frame.sample.camera, frame.screen.unit, levels));
+  frame.screen.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
   return beginSurfaces(light, frame, settings);
@@ -62,36 +74,39 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
 /// Draws what sees the screen, on what has been drawn.
 Result<void> SceneDrawing::drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                                       const FrameSettings& settings, const std::vector<ScreenLayer>& layers) {
-  const std::span<const int> hidden = frame.hidden;
+  const std::span<const int> hidden = frame.sample.hidden;
   for (const ScreenLayer& layer : layers) {
     if (layers.size() > 1) {
       // The nearest back face is to be of the layer's bodies.
       std::vector<int> others(hidden.begin(), hidden.end());
       for (const ScreenLayer& other : layers)
         if (&other != &layer) others.insert(others.end(), other.instances.begin(), other.instances.end());
-      frame.hidden = others;
+      frame.sample.hidden = others;
       MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
-      frame.hidden = hidden;
+      frame.sample.hidden = hidden;
     }
-    frame.shown = layer.shown;
+    frame.screen.shown = layer.shown;
     MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
     drawInstances(layer.instances, frame, settings);
   }
   return {};
 }
 
-Result<void> SceneDrawing::begin(const FrameSettings& settings, FrameUniforms& frame) {
+Result<SceneUniforms> SceneDrawing::begin(const FrameSettings& settings, const SampleUniforms& sample,
+                                          ProxyUniforms& proxy) {
   MIRRORBALL_TRY_VOID(device_->prepare());
   if (settings.relief == ReliefKind::exact) MIRRORBALL_TRY_VOID(staged_->makePrisms());
-  MIRRORBALL_TRY_VOID(device_->background.make(api(), *frame.proxy));
+  MIRRORBALL_TRY_VOID(device_->background.make(api(), proxy));
   MIRRORBALL_TRY_VOID(filterMaps(settings.texture_filter));
-  MIRRORBALL_TRY_VOID(makeBodies(settings, frame));
+  SceneUniforms uniforms;
+  MIRRORBALL_TRY_VOID(makeBodies(settings, sample, uniforms));
   // Back faces are looked for in a picture, which does not tell what is around them.
-  if (someRefract(RefractionKind::image_space, settings.refraction)) MIRRORBALL_TRY_VOID(staged_->findIorAround());
-  MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, frame));
-  MIRRORBALL_TRY(coordinates, coordinateMatrices(scene(), staged_->bounds(), frame.camera, settings));
-  frame.coordinates = coordinates;
-  return {};
+  if (someRefract(scene(), RefractionKind::image_space, settings.refraction))
+    MIRRORBALL_TRY_VOID(staged_->findIorAround());
+  MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, uniforms));
+  MIRRORBALL_TRY(coordinates, coordinateMatrices(scene(), staged_->bounds(), sample.camera, settings));
+  uniforms.coordinates = coordinates;
+  return uniforms;
 }
 
 /// Tells the textures how they are read; the rest the shaders know.
@@ -106,60 +121,52 @@ Result<void> SceneDrawing::filterMaps(TextureFilter filter) {
   return {};
 }
 
-/// Whether light passes so through some body.
-bool SceneDrawing::someRefract(RefractionKind kind, RefractionKind chosen) const {
-  for (std::size_t i = 0; i < scene().materials.size(); ++i)
-    if (isBody(scene().materials[i]) && refractionOf(scene(), static_cast<int>(i), chosen) == kind) return true;
-  return false;
-}
-
 /// The bodies for a frame that traces them, and those that its camera is in.
-Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.bodies = nullptr;
-  frame.eye_media = {};
-  if (!someRefract(RefractionKind::traced, settings.refraction)) return {};
+Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, const SampleUniforms& sample,
+                                      SceneUniforms& uniforms) {
+  if (!someRefract(scene(), RefractionKind::traced, settings.refraction)) return {};
   MIRRORBALL_TRY(tree, staged_->bodies());
   if (!*tree) return {};
   MIRRORBALL_TRY(words, staged_->bodyWords());
-  frame.bodies = words;
+  uniforms.bodies = words;
   // The rays of an orthographic camera begin far away.
-  if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene(), frame.camera.position, **tree);
-  for (const int hidden : frame.hidden)
-    while (formula::timesEntered(frame.eye_media, hidden) > 0) frame.eye_media = formula::left(frame.eye_media, hidden);
+  formula::Media& media = uniforms.eye_media;
+  if (!sample.camera.orthographic) media = surroundingMedia(scene(), sample.camera.position, **tree);
+  for (const int hidden : sample.hidden)
+    while (formula::timesEntered(media, hidden) > 0) media = formula::left(media, hidden);
   return {};
 }
 
 /// The scene for a frame that reflects it.
-Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.scene_triangles = nullptr;
+Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, SceneUniforms& uniforms) {
   if (!settings.self_reflection) return {};
   MIRRORBALL_TRY(triangles, staged_->triangles());
   if (!*triangles) return {};
-  frame.scene_triangles = &(*triangles)->words;
-  frame.unseen_by_itself = (*triangles)->unseen_by_itself;
+  uniforms.triangles = &(*triangles)->words;
+  uniforms.unseen_by_itself = (*triangles)->unseen_by_itself;
   return {};
 }
 
 Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.back_faces = nullptr;
-  if (!someRefract(RefractionKind::image_space, settings.refraction)) return {};
+  frame.screen.back_faces = nullptr;
+  if (!someRefract(scene(), RefractionKind::image_space, settings.refraction)) return {};
   if (!back_faces_) {
     MIRRORBALL_TRY(made, BackFaces::make(api()));
     back_faces_ = std::move(made);
   }
-  frame.back_faces = &*back_faces_;
-  return back_faces_->draw(scene(), staged_->buffers(), frame.camera, settings.size, frame.hidden);
+  frame.screen.back_faces = &*back_faces_;
+  return back_faces_->draw(scene(), staged_->buffers(), frame.sample.camera, settings.size, frame.sample.hidden);
 }
 
 Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.relief_hits = nullptr;
+  frame.screen.relief_hits = nullptr;
   if (settings.relief != ReliefKind::exact || scene().height_textures.empty()) return {};
   if (!relief_hits_) {
     MIRRORBALL_TRY(made, ReliefHits::make(api()));
     relief_hits_ = std::move(made);
   }
-  frame.relief_hits = &relief_hits_->picture();
-  return relief_hits_->draw(scene(), staged_->buffers(), frame.camera, settings.size, frame.hidden);
+  frame.screen.relief_hits = &relief_hits_->picture();
+  return relief_hits_->draw(scene(), staged_->buffers(), frame.sample.camera, settings.size, frame.sample.hidden);
 }
 
 Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
@@ -172,18 +179,18 @@ Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const Environment
 /// The picture that a polished ground reads.
 Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings) {
   if (!ground_mirror_) {
-    MIRRORBALL_TRY(made, GroundMirror::make(api(), *frame.proxy));
+    MIRRORBALL_TRY(made, GroundMirror::make(api(), *frame.light.proxy));
     ground_mirror_ = std::move(made);
   }
   // A rough ground blurs the picture: that of the first sample does for all others, with fewer pixels.
   constexpr float kRough = 0.1f;
   const bool is_blurred = settings.proxy.ground_roughness >= kRough;
-  if (is_blurred && frame.sample > 0) return {};
+  if (is_blurred && frame.sample.number > 0) return {};
   if (is_blurred) settings.size = (settings.size + 1) / 2;
-  const float ground = frame.proxy->proxy().ground;
-  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.camera, ground, staged_->bounds(), settings.size));
-  frame.camera = ground_mirror_->below();
-  frame.eye_media = {};
+  const float ground = frame.light.proxy->proxy().ground;
+  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample.camera, ground, staged_->bounds(), settings.size));
+  frame.sample.camera = ground_mirror_->below();
+  frame.scene.eye_media = {};
   settings.background = BackgroundKind::transparent;
   if (settings.behind == BehindKind::screen) settings.behind = BehindKind::probes;  // which is another camera's
   MIRRORBALL_TRY_VOID(drawOnce(*picture, light, frame, settings));
@@ -192,7 +199,7 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
 
 Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                                     const FrameSettings& settings) {
-  const bool is_mirrored = glm::determinant(glm::mat3(frame.camera.view_from_world)) < 0.0f;
+  const bool is_mirrored = glm::determinant(glm::mat3(frame.sample.camera.view_from_world)) < 0.0f;
   glFrontFace(is_mirrored ? GL_CW : GL_CCW);
   const std::vector<int> order = byDistance(frame, false);
   std::vector<ScreenLayer> layers;
@@ -224,13 +231,29 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   return {};
 }
 
+Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                      const FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY(made, surfaces_.makeProgram(device_->surfaces(), scene(), staged_->buffers(), light, frame, settings));
+  if (!made) return 0;
+  target.bind();
+  glViewport(0, 0, 1, 1);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  const bool is_blended = staged_->traits()[std::size_t(made->instance)].is_blended;
+  setBlending(is_blended);
+  chooseCulling(made->instance, frame);
+  surfaces_.tryOut(scene(), staged_->buffers(), settings);
+  if (is_blended) setBlending(false);
+  return made->left;
+}
+
 /// Draws opaque ones; of those whose light is costly, the depths first.
 void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameUniforms& frame,
                                  const FrameSettings& settings) {
   for (const int instance : instances) {
     if (!surfaces_.isCostly(instance)) continue;
     chooseCulling(instance, frame);
-    device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.camera);
+    device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera);
   }
   for (const int instance : instances) drawInstance(instance, frame, settings);
 }
@@ -249,7 +272,7 @@ void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const 
 
 void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const {
   const InstanceTraits& traits = staged_->traits()[std::size_t(instance)];
-  const bool shows_inside = frame.eye_media.count > 0 && traits.is_body;
+  const bool shows_inside = frame.scene.eye_media.count > 0 && traits.is_body;
   if (traits.is_double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else
@@ -261,13 +284,13 @@ void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const
 ///
 /// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
 std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_blended) const {
-  const Camera& camera = frame.camera;
+  const Camera& camera = frame.sample.camera;
   const std::vector<InstanceTraits>& traits = staged_->traits();
   const std::vector<glm::vec3>& centers = staged_->centers();
   std::vector<std::pair<float, int>> order;
   for (int index = 0; index < static_cast<int>(traits.size()); ++index) {
     if (traits[std::size_t(index)].is_blended != is_blended) continue;
-    if (isAmong(frame.hidden, std::size_t(index))) continue;
+    if (isAmong(frame.sample.hidden, std::size_t(index))) continue;
     const Instance& instance = scene().instances[std::size_t(index)];
     const glm::vec4 center(centers[std::size_t(instance.mesh)], 1.0f);
     const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
@@ -283,12 +306,9 @@ std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_bl
 void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
   const std::vector<int> blended = byDistance(frame, true);
   if (blended.empty()) return;
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
+  setBlending(true);
   for (const int instance : blended) drawInstance(instance, frame, settings);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
+  setBlending(false);
 }
 
 }  // namespace mirrorball

@@ -7,10 +7,10 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/framebuffer.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/frame/ground_mirror.h"
 #include "mirrorball/render/frame/screen_layers.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/render/stage/staged_scene.h"
 #include "mirrorball/render/surface/back_faces.h"
@@ -34,14 +34,27 @@ class SceneDrawing {
   StagedScene& staged() const { return *staged_; }
   const Scene& scene() const { return staged_->scene(); }
 
-  /// Makes what a frame needs, and says it in `frame`, whose camera and proxy must be set.
+  /// Makes what a frame needs of the scene.
   ///
+  /// sample   of the frame's camera
+  /// proxy    of the frame's light
+  /// returns  valid until the next call
   /// errors   too_large; unsupported (the driver has no anisotropic filter, or does not compile a shader)
-  Result<void> begin(const FrameSettings& settings, FrameUniforms& frame);
+  Result<SceneUniforms> begin(const FrameSettings& settings, const SampleUniforms& sample, ProxyUniforms& proxy);
+
+  /// Makes one of the programs that a frame needs and that there are not, and draws with it into a corner of the
+  /// target, so that the driver makes all of it now. Pictures that a sample makes on its way have programs of their
+  /// own.
+  ///
+  /// frame    as draw's
+  /// returns  how many are left
+  /// errors   unsupported
+  Result<int> makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
+                          const FrameSettings& settings);
 
   /// Draws one sample of all pixels, into a framebuffer of floats with depth and of the settings' size.
   ///
-  /// frame    of `begin`, but with the sample's own camera and number
+  /// frame    with the sample's own camera and number, and what `begin` has returned; its screen is made here
   /// errors   unsupported
   Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
                     const FrameSettings& settings);
@@ -61,9 +74,8 @@ class SceneDrawing {
                         const FrameSettings& settings);
   Result<void> beginSurfaces(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
   Result<void> filterMaps(TextureFilter filter);
-  bool someRefract(RefractionKind kind, RefractionKind chosen) const;
-  Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
-  Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> makeBodies(const FrameSettings& settings, const SampleUniforms& sample, SceneUniforms& uniforms);
+  Result<void> makeSceneTriangles(const FrameSettings& settings, SceneUniforms& uniforms);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   bool someSeeScreenRoughly(const FrameSettings& settings) const;
   Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,

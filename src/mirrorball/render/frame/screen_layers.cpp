@@ -12,7 +12,7 @@ namespace {
 
 /// Whether what is seen through a body is looked for in the picture, and not traced.
 bool showsInside(const Scene& scene, int instance, const FrameSettings& settings) {
-  const int material = scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
+  const int material = scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)]->material;
   const Material& of_body = scene.materials[std::size_t(material)];
   return isBody(of_body) && seesScreen(of_body, settings) &&
          refractionOf(scene, material, settings.refraction) != RefractionKind::traced;

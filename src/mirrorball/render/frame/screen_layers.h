@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/box.h"
 #include "mirrorball/scene/scene.h"
 

@@ -208,10 +208,10 @@ inline Scene sceneOfCase(const SurfaceCase& asked) {
   for (int texel = 0; texel < 16; ++texel) flat_normals.image.edit().texel(texel % 4, texel / 4)[2] = 255;
   Texture towards_eye = flat_normals;  // the mesh's +Z
   scene.textures = {flat_normals, towards_eye};
-  scene.slope_textures.emplace_back(4, 4, 3, 0.05f);
+  scene.slope_textures.push_back(Image(4, 4, 3, 0.05f));
   if (asked.material.height_texture >= 0) scene.height_textures.push_back(*heightTexture(hills(), MapEdges::tiled));
   if (asked.is_in_scene) {
-    const std::size_t vertices = scene.meshes[0].vertices.size();
+    const std::size_t vertices = scene.meshes[0]->vertices.size();
     scene.instances[0].occlusion.resize(vertices);
     scene.instances[0].vertex_materials.resize(vertices);
   }

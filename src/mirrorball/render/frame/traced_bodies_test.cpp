@@ -187,7 +187,7 @@ TEST_F(TracedBodies, LightThatHasLeftMeetsAnotherBody) {
   Material red = withoutReflection(1.5f);
   red.attenuation_color = {0.8f, 0.3f, 0.1f};
   Scene slabs = sceneOf(cubeMesh(), withoutReflection(1.5f));
-  red.attenuation_distance = 0.25f * 2.0f * glm::abs(slabs.meshes[0].vertices[0].position.z);
+  red.attenuation_distance = 0.25f * 2.0f * glm::abs(slabs.meshes[0]->vertices[0].position.z);
   add(slabs, cubeMesh(), red);
   const auto slabAt = [](float z) {
     return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, z)), glm::vec3(1.0f, 1.0f, 0.25f));

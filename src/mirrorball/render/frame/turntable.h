@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {

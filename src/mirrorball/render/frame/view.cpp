@@ -72,10 +72,10 @@ LightCost View::lightCost() const {
   const OnDevice& on = *state_->on;
   const FrameSettings& settings = *state_->wanted;
   const EnvironmentLight& light = on.light.light();
-  const PrefilteredChain& chain = on.frame.prefiltered;
+  const PrefilteredChain& chain = on.frame.light.prefiltered;
   const LightReads reads = lightReads(on.drawing.scene(), blurOf(settings, light.cube(), chain), settings);
   LightCost cost{.reads = reads.sum()};
-  const FlatLight* flat = on.frame.flat;
+  const FlatLight* flat = on.frame.light.flat;
   if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
   if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
   if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
@@ -154,22 +154,25 @@ Result<void> View::start() {
   const gl::Api api = on.device.state().context.api();
   MIRRORBALL_TRY(form, state.stage.state().formFor(settings));
   on.drawing.show(form);
+  FrameUniforms frame;
   if (state.given_camera) {
-    on.frame.camera = *state.given_camera;
+    frame.sample.camera = *state.given_camera;
   } else {
-    MIRRORBALL_TRY(camera, framedCamera(form->scene(), form->bounds(), settings.camera, settings.size));
-    on.frame.camera = camera;
+    MIRRORBALL_TRY(camera, framedCamera(form->scene(), form->bounds(), settings.camera, settings.size, form->runs()));
+    frame.sample.camera = camera;
   }
   if (!on.samples) {
     MIRRORBALL_TRY(samples, SampleSum::make(api));
     on.samples = std::move(samples);
   }
   MIRRORBALL_TRY_VOID(on.samples->begin(settings));
-  MIRRORBALL_TRY_VOID(on.light.begin(*form, settings, on.frame));
-  on.frame.probes = nullptr;
-  MIRRORBALL_TRY_VOID(on.drawing.begin(settings, on.frame));
-  MIRRORBALL_TRY_VOID(on.probes.begin(api, on.drawing, on.light.light(), staged.light.version(), settings, on.frame));
-  if (coordinateChoice(form->scene(), settings).is_sphere_map) MIRRORBALL_TRY_VOID(on.light.makeSphereMap(on.frame));
+  MIRRORBALL_TRY(light, on.light.begin(*form, settings, frame.sample.camera));
+  frame.light = light;
+  MIRRORBALL_TRY(scene, on.drawing.begin(settings, frame.sample, *light.proxy));
+  frame.scene = scene;
+  MIRRORBALL_TRY(probes, on.probes.begin(api, on.drawing, on.light.light(), staged.light.version(), settings, frame));
+  frame.probes = probes;
+  on.frame = frame;
   state.begun_of = state.version();
   state.is_begun = true;
   return {};
@@ -177,12 +180,19 @@ Result<void> View::start() {
 
 bool View::isDone() const { return state_->isCurrent() && state_->on->samples->count() == state_->wanted->samples; }
 
-const Camera& View::camera() const { return state_->on->frame.camera; }
+const Camera& View::camera() const { return state_->on->frame.sample.camera; }
 
 Result<void> View::enterDrawn() const {
   if (!state_->is_begun || state_->on->samples->count() == 0)
     return fail(ErrorCode::usage, "no sample of the frame has been drawn");
   return enter();
+}
+
+Result<int> View::makeProgram() {
+  if (!state_->isCurrent()) MIRRORBALL_TRY_VOID(start());
+  MIRRORBALL_TRY_VOID(enter());
+  OnDevice& on = *state_->on;
+  return on.drawing.makeProgram(on.samples->sample(), on.light.light(), on.frame, *state_->wanted);
 }
 
 Result<int> View::drawSample() {
@@ -195,8 +205,8 @@ Result<int> View::drawSample() {
   if (drawn == settings.samples) return drawn;
   const glm::vec2 offset_px = formula::sampleOffset(drawn, settings.samples) - 0.5f;
   FrameUniforms of_sample = on.frame;
-  of_sample.camera = shifted(on.frame.camera, offset_px, settings.size);
-  of_sample.sample = drawn;
+  of_sample.sample.camera = shifted(on.frame.sample.camera, offset_px, settings.size);
+  of_sample.sample.number = drawn;
   MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, settings));
   on.samples->add();
   return on.samples->count();
@@ -225,13 +235,14 @@ Result<std::optional<Picked>> View::pick(glm::vec2 place) {
   if (glm::any(glm::lessThan(pixel, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(pixel, settings.size)))
     return std::optional<Picked>();
   MIRRORBALL_TRY(geometry, on.drawing.staged().geometry());
-  const EyeRay ray = EyeRays(on.frame.camera, settings.size).through(place);
+  const EyeRay ray = EyeRays(on.frame.sample.camera, settings.size).through(place);
   const Scene& shown = on.drawing.scene();
   std::optional<Picked> picked = pickAlong(ray, shown, *geometry, settings);
   if (!picked) return picked;
   picked->radiance = on.samples->lastRadiance(pixel);
   const auto mesh = static_cast<std::size_t>(shown.instances[picked->instance].mesh);
-  if (shown.meshes[mesh].indices.size() != state_->stage.scene().meshes[mesh].indices.size()) picked->triangle.reset();
+  if (shown.meshes[mesh]->indices.size() != state_->stage.scene().meshes[mesh]->indices.size())
+    picked->triangle.reset();
   return picked;
 }
 

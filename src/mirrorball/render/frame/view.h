@@ -7,8 +7,8 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/frame/picking.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/stage.h"
 #include "mirrorball/scene/camera/camera.h"
 
@@ -59,6 +59,15 @@ class View {
   /// errors   as draw's
   Result<void> begin(const FrameSettings& settings);
   Result<void> begin(const Camera& camera, const FrameSettings& settings);
+  /// Makes one of the programs that the frame needs and that the device has not yet, and draws with it once: for
+  /// windows that respond between a change of technique and its first sample. drawSample makes all that are left at
+  /// once.
+  ///
+  /// returns  how many are left: 0 if none was missing
+  /// errors   as draw's
+  /// cost     that of a program: with llvmpipe some 100 ms
+  Result<int> makeProgram();
+
   /// Draws the next sample of all pixels of the frame, if there is one left. Where the stage has changed since it
   /// began, or it could not begin, it begins again.
   ///

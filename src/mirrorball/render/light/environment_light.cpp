@@ -57,25 +57,25 @@ PrefilteredShape prefilteredShape(int side) {
   return shape;
 }
 
-Result<Prefiltered> prefiltered(const Environment& environment, int side) {
+Result<Prefiltered> prefiltered(const Environment& environment, int side, const ProgressFunction& progress) {
   std::vector<PrefilterLevel> levels = prefilterLevels({.size = side});
   levels.erase(levels.begin());
   std::vector<Lobe> lobes = lobesOf(levels);
   lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
-  MIRRORBALL_TRY(chain, prefilter(environment, light, levels));
+  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes, partOf(progress, 0, 1, 2)));
+  MIRRORBALL_TRY(chain, prefilter(environment, light, levels, glm::mat3(1.0f), partOf(progress, 1, 1, 2)));
   MIRRORBALL_TRY(irradiance, cubeOf(light, lobes.back(), kIrradianceSide));
   return Prefiltered{std::move(chain), std::move(irradiance).takeImages()};
 }
 
 /// From the cache, or else made and kept there. Either way it has the values that a texture will hold.
 Result<Prefiltered> prefilteredOnce(const Environment& environment, const PreparedEnvironment& prepared,
-                                    const CacheFolder& folder) {
+                                    const CacheFolder& folder, const ProgressFunction& progress) {
   const PrefilterCache cache(folder);
   const int side = prefilteredSide(environment);
   const std::string key = PrefilterCache::keyOf(prepared.chain);
   if (std::optional<Prefiltered> found = cache.find(key, prefilteredShape(side))) return std::move(*found);
-  MIRRORBALL_TRY(made, prefiltered(environment, side));
+  MIRRORBALL_TRY(made, prefiltered(environment, side, progress));
   cache.keep(key, made, prepared.needs_floats ? TexelFormat::float32 : TexelFormat::half);
   return made;
 }
@@ -89,8 +89,8 @@ int cubeSideFor(float texels_per_radian) {
   return static_cast<int>(std::ceil(side / 64.0f)) * 64;
 }
 
-Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
-                                               const std::optional<CacheFolder>& cache) {
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment, const std::optional<CacheFolder>& cache,
+                                               const ProgressFunction& progress) {
   PreparedEnvironment prepared;
   if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
     prepared.chain = mipChain(*map);
@@ -99,8 +99,8 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
     prepared.chain = mipChain(std::move(cube));
   }
   prepared.needs_floats = maxSample(prepared.chain) > gl::kLargestHalf;
-  MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache)
-                                : prefiltered(environment, prefilteredSide(environment)));
+  MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache, progress)
+                                : prefiltered(environment, prefilteredSide(environment), progress));
   prepared.prefiltered = std::move(blurred.chain);
   prepared.irradiance = std::move(blurred.irradiance);
   return prepared;

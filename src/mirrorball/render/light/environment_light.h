@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/cache_folder.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/texture.h"
@@ -30,9 +31,11 @@ int cubeSideFor(float texels_per_radian);
 /// are widest.
 ///
 /// cache    where prefiltered environments are kept; optional
-/// errors   too_large
+/// progress may be called from several threads, but not at once
+/// errors   too_large; interrupted
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
-                                               const std::optional<CacheFolder>& cache = {});
+                                               const std::optional<CacheFolder>& cache = {},
+                                               const ProgressFunction& progress = {});
 
 /// The light of an environment on the GPU.
 class EnvironmentLight {

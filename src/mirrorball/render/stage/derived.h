@@ -75,6 +75,14 @@ class Derived {
     return &*value_;
   }
 
+  /// Keeps a value that was made elsewhere of the parts as they are now.
+  void offer(const StageVersions& versions, Value value) { keep(versions, std::move(value)); }
+
+  /// Gives the value away, if there is one of the parts as they are now.
+  std::optional<Value> take(const StageVersions& versions) {
+    return isOf(versions) ? std::exchange(value_, std::nullopt) : std::nullopt;
+  }
+
  private:
   bool isOf(const StageVersions& versions) const { return value_ && version_ == versions.of(from_); }
   void keep(const StageVersions& versions, Value value) {

@@ -4,64 +4,82 @@
 #include <cstddef>
 #include <utility>
 
+#include "mirrorball/render/stage/scene_difference.h"
+
 namespace mirrorball {
+namespace {
+
+/// Gives a material the heights of another one: its own as they were prepared.
+void takeHeights(Material& material, const Material& prepared) {
+  material.height = prepared.height;
+  material.height_texture = prepared.height_texture;
+  material.height_scale = prepared.height_scale;
+}
+
+}  // namespace
 
 // Of an empty scene nothing is on the GPU.
 SceneForms::SceneForms() : given_(std::make_shared<Scene>()), as_given_(*StagedScene::make(given_)) {}
 
-Result<void> SceneForms::set(Scene scene) {
-  auto given = std::make_shared<Scene>(std::move(scene));
-  MIRRORBALL_TRY(staged, StagedScene::make(given));
-  given_ = std::move(given);
-  as_given_ = std::move(staged);
-  forms_.clear();
-  versions_.change(StagePart::scene);
+Result<void> SceneForms::set(Scene scene, const LevelsOfMaps& levels) {
+  auto now = std::make_shared<Scene>(std::move(scene));
+  const unsigned changed = differingParts(*given_, *now);
+  MIRRORBALL_TRY_VOID(as_given_->become(now, changed, levels));
+  const std::shared_ptr<Scene> before = std::exchange(given_, std::move(now));
+  std::erase_if(forms_, [&](Form& form) { return !follow(form, *before, changed); });
+  versions_.change(changed);
   return {};
 }
 
-/// What vertices know of the scene depends on all of it.
-Result<void> SceneForms::forgetGivenOcclusion() {
-  std::erase_if(forms_, [](const Form& form) { return form.preparation.finds_occlusion; });
-  const auto known = [](const Instance& each) { return !each.occlusion.empty(); };
-  if (std::none_of(given_->instances.begin(), given_->instances.end(), known)) return {};
-  auto forgotten = std::make_shared<Scene>(*given_);
-  forgetOcclusion(*forgotten);
-  MIRRORBALL_TRY(staged, StagedScene::make(forgotten, as_given_.get()));
-  given_ = std::move(forgotten);
-  as_given_ = std::move(staged);
-  return {};
+bool SceneForms::follow(Form& form, const Scene& before, unsigned changed) {
+  // What vertices know of a scene depends on all of it but its lamps, which are not in the environment.
+  if (form.preparation.finds_occlusion && (changed & ~StagePart::lights) != 0) return false;
+  if (!haveSameRelief(before, *given_)) return false;
+  auto now = std::make_shared<Scene>(*given_);
+  now->meshes = form.scene->meshes;
+  now->height_textures = form.scene->height_textures;
+  for (std::size_t i = 0; i < now->materials.size(); ++i) takeHeights(now->materials[i], form.scene->materials[i]);
+  if (form.preparation.finds_occlusion) now->instances = form.scene->instances;
+  if (!form.staged->become(now, changed)) return false;
+  form.scene = std::move(now);
+  return true;
+}
+
+bool SceneForms::knowsOcclusion() const {
+  return std::any_of(given_->instances.begin(), given_->instances.end(),
+                     [](const Instance& each) { return !each.occlusion.empty(); });
 }
 
 Result<void> SceneForms::setMaterial(std::size_t index, Material material) {
-  MIRRORBALL_TRY_VOID(forgetGivenOcclusion());
-  versions_.change(StagePart::materials);
-  if (!haveSameBuffers(given_->materials[index], material)) {
-    // Views may still hold the old form, which stays as it is.
-    auto changed = std::make_shared<Scene>(*given_);
-    changed->materials[index] = std::move(material);
-    MIRRORBALL_TRY(staged, StagedScene::make(changed, as_given_.get()));
-    given_ = std::move(changed);
-    as_given_ = std::move(staged);
-    forms_.clear();
-    return {};
+  if (knowsOcclusion() || !haveSameBuffers(given_->materials[index], material)) {
+    Scene changed = *given_;
+    forgetOcclusion(changed);
+    changed.materials[index] = std::move(material);
+    return set(std::move(changed));
   }
+  std::erase_if(forms_, [](const Form& form) { return form.preparation.finds_occlusion; });
   const Material before = std::exchange(given_->materials[index], material);
   as_given_->materialChanged(index, before);
   for (Form& form : forms_) {
     Material changed = material;
     Material& prepared = form.scene->materials[index];
-    changed.height = prepared.height;
-    changed.height_texture = prepared.height_texture;
-    changed.height_scale = prepared.height_scale;
+    takeHeights(changed, prepared);
     const Material prepared_before = std::exchange(prepared, std::move(changed));
     form.staged->materialChanged(index, prepared_before);
   }
+  versions_.change(StagePart::materials);
   return {};
 }
 
 Result<void> SceneForms::setTransform(std::size_t instance, const glm::mat4& world_from_object) {
   if (given_->instances[instance].world_from_object == world_from_object) return {};
-  MIRRORBALL_TRY_VOID(forgetGivenOcclusion());
+  if (knowsOcclusion()) {
+    Scene changed = *given_;
+    forgetOcclusion(changed);
+    changed.instances[instance].world_from_object = world_from_object;
+    return set(std::move(changed));
+  }
+  std::erase_if(forms_, [](const Form& form) { return form.preparation.finds_occlusion; });
   given_->instances[instance].world_from_object = world_from_object;
   as_given_->transformChanged(instance);
   for (Form& form : forms_) {
@@ -82,18 +100,18 @@ void SceneForms::setLights(std::vector<ModelLight> lights) {
   versions_.change(StagePart::lights);
 }
 
-Result<std::shared_ptr<StagedScene>> SceneForms::formFor(const ScenePreparation& preparation,
-                                                         const PreparationMeans& means) {
-  constexpr std::ptrdiff_t kMostUnused = 2;
+std::shared_ptr<StagedScene> SceneForms::find(const ScenePreparation& preparation) {
   if (isPrepared(*given_, preparation)) return as_given_;
   const auto known =
       std::find_if(forms_.begin(), forms_.end(), [&](const Form& form) { return form.preparation == preparation; });
-  if (known != forms_.end()) {
-    std::rotate(known, known + 1, forms_.end());
-    return forms_.back().staged;
-  }
-  auto scene = std::make_shared<Scene>(*given_);
-  MIRRORBALL_TRY_VOID(prepareScene(*scene, preparation, means));
+  if (known == forms_.end()) return nullptr;
+  std::rotate(known, known + 1, forms_.end());
+  return forms_.back().staged;
+}
+
+Result<std::shared_ptr<StagedScene>> SceneForms::add(const ScenePreparation& preparation, Scene prepared) {
+  constexpr std::ptrdiff_t kMostUnused = 2;
+  auto scene = std::make_shared<Scene>(std::move(prepared));
   MIRRORBALL_TRY(staged, StagedScene::make(scene, as_given_.get()));
   const auto is_unused = [](const Form& form) { return form.staged.use_count() == 1; };
   if (std::count_if(forms_.begin(), forms_.end(), is_unused) > kMostUnused)

@@ -14,17 +14,18 @@
 namespace mirrorball {
 
 /// A scene in all forms that frames show it in: as it was given, and with the relief or the occlusion that some frames
-/// ask for. They share its textures.
+/// ask for. What they have in common is there once.
 class SceneForms {
  public:
   SceneForms();
 
-  /// Shows another scene.
+  /// Shows another scene. What it shares with the one before stays, as do forms that are the same for both.
   ///
+  /// levels   of textures, where they were made before
   /// errors   too_large (a texture for this driver); then it is as before
-  Result<void> set(Scene scene);
+  Result<void> set(Scene scene, const LevelsOfMaps& levels = {});
 
-  /// errors   too_large, and those of preparing it again; then it is as before
+  /// errors   too_large; then it is as before
   Result<void> setMaterial(std::size_t index, Material material);
   /// errors   too_large; then it is as before
   Result<void> setTransform(std::size_t instance, const glm::mat4& world_from_object);
@@ -34,22 +35,25 @@ class SceneForms {
   const Scene& scene() const { return *given_; }
   /// Of it.
   const BoundingSphere& bounds() const { return as_given_->bounds(); }
-  /// Another number after each change.
-  std::uint64_t version() const { return versions_.of(StagePart::scene); }
+  /// Another number after each change of these parts of StagePart::scene.
+  std::uint64_t version(unsigned parts = StagePart::scene) const { return versions_.of(parts); }
 
-  /// The form that frames show, made when they first ask for it; kept while it is held, and the last few longer.
+  /// The form that frames show; null: it is not there yet. It is kept while it is held, and the last few longer.
+  std::shared_ptr<StagedScene> find(const ScenePreparation& preparation);
+  /// Takes a form that was made elsewhere: prepareScene() of this scene.
   ///
-  /// errors   as prepareScene's; too_large (a texture for this driver)
-  Result<std::shared_ptr<StagedScene>> formFor(const ScenePreparation& preparation, const PreparationMeans& means);
+  /// errors   too_large (a texture for this driver)
+  Result<std::shared_ptr<StagedScene>> add(const ScenePreparation& preparation, Scene prepared);
 
  private:
-  Result<void> forgetGivenOcclusion();
-
   struct Form {
     ScenePreparation preparation;
     std::shared_ptr<Scene> scene;
     std::shared_ptr<StagedScene> staged;
   };
+  bool knowsOcclusion() const;
+  /// Whether the form is of the scene as it is now.
+  bool follow(Form& form, const Scene& before, unsigned changed);
 
   std::shared_ptr<Scene> given_;
   std::shared_ptr<StagedScene> as_given_;

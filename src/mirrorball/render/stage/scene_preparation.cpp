@@ -36,7 +36,7 @@ bool isReliefPrepared(const Scene& scene, ReliefKind relief) {
 /// Whether all that is to be found is known of each instance.
 bool knowsOcclusion(const Scene& scene, const SceneOcclusionSettings& settings) {
   return std::all_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& each) {
-    const bool is_empty = scene.meshes[std::size_t(each.mesh)].vertices.empty();
+    const bool is_empty = scene.meshes[std::size_t(each.mesh)]->vertices.empty();
     return is_empty || (!each.occlusion.empty() && (!settings.finds_materials || !each.vertex_materials.empty()));
   });
 }

@@ -8,7 +8,7 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/rays/scene_occlusion.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/scene/scene.h"
 

@@ -8,6 +8,8 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/render/stage/stage_state.h"
+#include "mirrorball/render/stage/stage_work_state.h"
+#include "mirrorball/scene/animation/pose.h"
 
 namespace mirrorball {
 namespace {
@@ -42,17 +44,24 @@ Result<void> checkTransform(std::size_t instance, const glm::mat4& world_from_ob
 
 Stage::Stage(const Device& device) : state_(new State(device), EndOnDevice()) {}
 
-Result<std::shared_ptr<StagedScene>> Stage::State::formFor(const FrameSettings& settings,
-                                                           const ProgressFunction& progress) {
-  const gl::Context& context = device.state().context;
-  return scene.formFor(preparationFor(settings), {[&context] { return context.largestTexture(); }, cache, progress});
+PreparationMeans Stage::State::means() const {
+  const int largest_texture = device.state().context.largestTexture();
+  return {.largest_texture = [largest_texture] { return largest_texture; }, .cache = cache};
+}
+
+Result<std::shared_ptr<StagedScene>> Stage::State::formFor(const FrameSettings& settings) {
+  const ScenePreparation preparation = preparationFor(settings);
+  if (auto known = scene.find(preparation)) return known;
+  Scene prepared = scene.scene();
+  MIRRORBALL_TRY_VOID(prepareScene(prepared, preparation, means()));
+  return scene.add(preparation, std::move(prepared));
 }
 
 const Device& Stage::device() const { return state_->device; }
 
-Result<void> Stage::setScene(Scene scene) {
+Result<void> Stage::setScene(Scene scene, const LevelsOfMaps& levels) {
   MIRRORBALL_TRY_VOID(device().state().context.enter());
-  return state_->scene.set(std::move(scene));
+  return state_->scene.set(std::move(scene), levels);
 }
 
 Result<void> Stage::setEnvironment(Environment environment, const std::optional<CacheFolder>& cache) {
@@ -79,9 +88,38 @@ Result<void> Stage::setMaterial(std::size_t index, Material material) {
 void Stage::setCache(const std::optional<CacheFolder>& cache) { state_->cache = cache; }
 
 Result<void> Stage::prepare(const FrameSettings& settings, const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(device().state().context.enter());
-  MIRRORBALL_TRY_VOID(state_->formFor(settings, progress));
+  MIRRORBALL_TRY(work, workFor(settings));
+  MIRRORBALL_TRY_VOID(work.run(progress));
+  MIRRORBALL_TRY_VOID(take(std::move(work)));
   return {};
+}
+
+Result<StageWork> Stage::workFor(const FrameSettings& settings) const {
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  SceneForms& forms = state_->scene;
+  const ScenePreparation preparation = preparationFor(settings);
+  const auto known = forms.find(preparation);
+  return StageWork(std::unique_ptr<StageWork::State>(new StageWork::State{.scene = known ? known->scene() : scene(),
+                                                                          .has_form = known != nullptr,
+                                                                          .settings = settings,
+                                                                          .preparation = preparation,
+                                                                          .means = state_->means(),
+                                                                          .version = forms.version()}));
+}
+
+Result<bool> Stage::take(StageWork work) {
+  StageWork::State& done = work.state();
+  SceneForms& forms = state_->scene;
+  if (!done.has_form || done.version != forms.version()) return false;
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  std::shared_ptr<StagedScene> form = forms.find(done.preparation);
+  if (!form && done.makes_form) {
+    MIRRORBALL_TRY(added, forms.add(done.preparation, std::move(done.scene)));
+    form = std::move(added);
+  }
+  if (!form) return false;
+  form->take(std::move(done.bodies), std::move(done.triangles));
+  return true;
 }
 
 Result<void> Stage::setTransform(std::size_t instance, const glm::mat4& world_from_object) {
@@ -103,6 +141,12 @@ Result<void> Stage::moveInstances(const std::vector<Instance>& instances) {
   for (std::size_t i = 0; i < instances.size(); ++i)
     MIRRORBALL_TRY_VOID(setTransform(i, instances[i].world_from_object));
   return {};
+}
+
+Result<void> Stage::setNode(std::size_t node, const NodePlace& place) {
+  Scene changed = scene();
+  MIRRORBALL_TRY_VOID(placeNode(changed, node, place));
+  return setScene(std::move(changed));
 }
 
 Result<void> Stage::setLights(std::vector<ModelLight> lights) {

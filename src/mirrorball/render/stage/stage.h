@@ -11,9 +11,11 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/device.h"
+#include "mirrorball/render/stage/stage_work.h"
+#include "mirrorball/render/surface/map_levels.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -28,10 +30,14 @@ class Stage {
 
   const Device& device() const;
 
-  /// Shows another scene.
+  /// Shows another scene. Of one that is a changed copy of the one before (scene()), only what has changed is sent
+  /// again, and what is computed from other parts stays: so meshes, the pixels of textures, heights, instances and
+  /// variants (chooseVariant) are changed, instances are hidden, and an animation is played (posed).
   ///
+  /// levels   makeMapLevels() of the scene, which may have been made in another thread; optional
   /// errors   no_gl; too_large (a texture for this driver): then the scene is as before
-  Result<void> setScene(Scene scene);
+  /// cost     of a changed copy proportional to the instances, materials and textures, and to what has changed
+  Result<void> setScene(Scene scene, const LevelsOfMaps& levels = {});
 
   /// Prepares the environment for drawing, and takes it; values below 0 become 0.
   ///
@@ -55,8 +61,14 @@ class Stage {
   ///          found again when a frame next asks for it
   Result<void> setMaterial(std::size_t index, Material material);
 
-  /// Puts an instance elsewhere. What vertices knew of the scene is found again when a frame next asks for it, and a
-  /// camera that is framed by the scene moves with it.
+  /// Puts a node of the scene's tree (Scene::rig) elsewhere in its parent, with the meshes, cameras and lights below
+  /// it; skins that hang on it bend (placeNode). What setTransform has moved is where its node is again.
+  ///
+  /// errors   as placeNode's and setScene's
+  Result<void> setNode(std::size_t node, const NodePlace& place);
+
+  /// Puts an instance elsewhere, whatever its node is. What vertices knew of the scene is found again when a frame next
+  /// asks for it, and a camera that is framed by the scene moves with it.
   ///
   /// errors   usage (there is no such instance; it would be mirrored, or is not finite); no_gl; too_large
   Result<void> setTransform(std::size_t instance, const glm::mat4& world_from_object);
@@ -73,12 +85,20 @@ class Stage {
   /// Where what is found of the scene (prepare) is kept for later processes.
   void setCache(const std::optional<CacheFolder>& cache);
 
-  /// Makes what frames with those settings show of the scene: their relief (prepareRelief), and what vertices know of
-  /// the scene (findOcclusion), unless it knows that already. Views do so where it has not been done, which may take
-  /// seconds; here it tells how far it is. A form of the scene that is made so has meshes and heights of its own.
+  /// Makes what frames with those settings need of the scene, unless it is there (StageWork::run). Views do so where it
+  /// has not been done, which may take seconds; here it tells how far it is.
   ///
   /// errors   no_gl; interrupted; too_large
   Result<void> prepare(const FrameSettings& settings, const ProgressFunction& progress = {});
+
+  /// The same in two steps, of which work.run() may be in another thread while this stage is drawn and changes.
+  ///
+  /// errors   no_gl
+  Result<StageWork> workFor(const FrameSettings& settings) const;
+  /// work     that has run
+  /// returns  whether it is of use; not if the scene has changed since workFor
+  /// errors   no_gl; too_large (a texture for this driver)
+  Result<bool> take(StageWork work);
 
   /// Shows it on another device from now on: after the old one's context was lost, all that was there is made again.
   /// Views follow.

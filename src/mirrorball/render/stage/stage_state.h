@@ -20,10 +20,11 @@ struct Stage::State {
   StagedLight light = {};
   std::optional<CacheFolder> cache = {};  ///< for what preparing the scene finds
 
-  /// The form of the scene that frames with those settings show.
+  /// The form of the scene that frames with those settings show, made if it is not there.
   ///
-  /// errors   as SceneForms::formFor's
-  Result<std::shared_ptr<StagedScene>> formFor(const FrameSettings& settings, const ProgressFunction& progress = {});
+  /// errors   as prepareScene's; too_large (a texture for this driver)
+  Result<std::shared_ptr<StagedScene>> formFor(const FrameSettings& settings);
+  PreparationMeans means() const;
 };
 
 }  // namespace mirrorball

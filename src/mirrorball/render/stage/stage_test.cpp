@@ -17,34 +17,23 @@
 
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/rays/occlusion_cache.h"
-#include "mirrorball/render/frame/view.h"
-#include "mirrorball/render/render_testing.h"
 #include "mirrorball/render/stage/stage_state.h"
+#include "mirrorball/render/stage/stage_testing.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball {
 namespace {
 
 using ::testing::HasSubstr;
-
-Environment litFromAbove() {
-  return Environment([](glm::vec3 d) { return glm::vec3(1.0f + d.y, 1.0f, 0.5f); }, 32);
-}
+using testing::litFromAbove;
+using testing::pictureOf;
+using testing::smallFrame;
 
 /// Two balls, each of a material of its own.
 Scene pairOfBalls() {
   Scene scene;
   for (const float x : {-0.6f, 0.6f}) testing::addBall(scene, {x, 0.0f, 0.0f}, 0.5f, Material(), 12);
   return scene;
-}
-
-FrameSettings smallFrame(int samples = 1) {
-  return {.size = {24, 24}, .samples = samples, .resolve = Resolve::radiance};
-}
-
-std::vector<float> pictureOf(View& view, const FrameSettings& settings) {
-  const Image image = testing::drawn(view, settings);
-  return {image.samples().begin(), image.samples().end()};
 }
 
 class StageTest : public ::testing::TestWithParam<gl::Api> {

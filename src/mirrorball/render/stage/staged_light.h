@@ -8,10 +8,10 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/flat_light.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/derived.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
 

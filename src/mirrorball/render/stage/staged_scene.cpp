@@ -1,12 +1,11 @@
 #include "mirrorball/render/stage/staged_scene.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
-#include <type_traits>
 #include <utility>
 
 #include "mirrorball/render/light/probe_places.h"
+#include "mirrorball/render/stage/scene_difference.h"
 #include "mirrorball/render/surface/texture_units.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 
@@ -22,7 +21,7 @@ glm::vec3 centerOf(const Mesh& mesh) {
 }
 
 InstanceTraits traitsOfInstance(const Scene& scene, const Instance& instance) {
-  const int index = scene.meshes[std::size_t(instance.mesh)].material;
+  const int index = scene.meshes[std::size_t(instance.mesh)]->material;
   const Material& material = scene.materials[std::size_t(index)];
   return {index, material.alpha_mode == AlphaMode::blend, material.double_sided, isBody(material)};
 }
@@ -34,32 +33,30 @@ Result<gl::Texture> wordsOf(const BodyTree& tree, const char* what) {
 
 }  // namespace
 
-bool haveSameBuffers(const Material& a, const Material& b) {
-  for (const MaterialMap& map : materialMaps())
-    if ((a.*map.slot).texture != (b.*map.slot).texture) return false;
-  return a.slope_texture == b.slope_texture && a.height == b.height && a.height_texture == b.height_texture &&
-         a.height_scale == b.height_scale && a.height_frequency == b.height_frequency;
-}
-
-bool changesShape(const Material& a, const Material& b) {
-  // `b` with all of `a` that is only light on its surface.
-  formula::Material lit_alike = b;
-  for (float formula::Material::*const number :
-       {&formula::Material::metallic, &formula::Material::perceptual_roughness, &formula::Material::specular})
-    lit_alike.*number = a.*number;
-  for (glm::vec3 formula::Material::*const color : {&formula::Material::base_color, &formula::Material::specular_color,
-                                                    &formula::Material::emission, &formula::Material::sheen_color})
-    lit_alike.*color = a.*color;
-  static_assert(std::is_trivially_copyable_v<formula::Material> && alignof(formula::Material) == sizeof(float));
-  const formula::Material& of_a = a;
-  return std::memcmp(&lit_alike, &of_a, sizeof of_a) != 0 || a.alpha_mode != b.alpha_mode ||
-         a.double_sided != b.double_sided || a.unlit != b.unlit || a.thin_walled != b.thin_walled ||
-         a.priority != b.priority;
-}
-
-Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike) {
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, alike ? &alike->buffers_ : nullptr));
+Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike,
+                                                       const LevelsOfMaps& levels) {
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, alike ? &alike->buffers_ : nullptr, levels));
   return std::shared_ptr<StagedScene>(new StagedScene(std::move(scene), std::move(buffers)));
+}
+
+Result<void> StagedScene::become(std::shared_ptr<const Scene> scene, unsigned changed, const LevelsOfMaps& levels) {
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, &buffers_, levels));
+  const std::shared_ptr<const Scene> before = std::exchange(scene_, std::move(scene));
+  const bool has_same_meshes = (changed & StagePart::meshes) == 0;
+  if (has_same_meshes && (changed & (StagePart::transforms | StagePart::shapes)) == 0) buffers.keepAround(buffers_);
+  if (has_same_meshes && (changed & StagePart::shapes) == 0) buffers.keepPrisms(buffers_);
+  if (has_same_meshes && before->materials.size() == scene_->materials.size()) {
+    buffers.keepBlocks(buffers_);
+    for (std::size_t i = 0; i < scene_->instances.size(); ++i)
+      if (before->instances[i].world_from_object != scene_->instances[i].world_from_object ||
+          knowsBacks(*before, i) != knowsBacks(*scene_, i))
+        buffers.blocks().instanceChanged(*scene_, i);
+    for (std::size_t i = 0; i < scene_->materials.size(); ++i)
+      if (!areSameMaterials(before->materials[i], scene_->materials[i])) buffers.blocks().materialChanged(*scene_, i);
+  }
+  buffers_ = std::move(buffers);
+  versions_.change(changed);
+  return {};
 }
 
 void StagedScene::transformChanged(std::size_t instance) {
@@ -93,6 +90,10 @@ const std::vector<InstanceTraits>& StagedScene::traits() const {
   });
 }
 
+const std::vector<std::vector<PositionRun>>& StagedScene::runs() const {
+  return runs_.get(versions_, [&] { return positionRuns(scene()); });
+}
+
 const std::vector<glm::vec3>& StagedScene::centers() const {
   return centers_.get(versions_, [&] {
     std::vector<glm::vec3> centers;
@@ -114,7 +115,12 @@ Result<const gl::Texture*> StagedScene::bodyWords() {
 
 Result<const std::optional<StagedScene::Triangles>*> StagedScene::triangles() {
   const auto make = [&]() -> Result<std::optional<Triangles>> {
-    MIRRORBALL_TRY(tree, sceneTree(scene()));
+    std::optional<std::optional<BodyTree>> offered = scene_tree_.take(versions_);
+    if (!offered) {
+      MIRRORBALL_TRY(made, sceneTree(scene()));
+      offered = std::move(made);
+    }
+    std::optional<BodyTree>& tree = *offered;
     if (!tree) return std::optional<Triangles>();
     MIRRORBALL_TRY(words, wordsOf(*tree, "the triangles that reflections show"));
     return std::optional<Triangles>(Triangles{std::move(words), std::move(tree->unseen_by_itself)});
@@ -124,15 +130,15 @@ Result<const std::optional<StagedScene::Triangles>*> StagedScene::triangles() {
 }
 
 Result<const Geometry*> StagedScene::geometry() {
-  const auto make = [&]() -> Result<Geometry> {
+  const auto make = [&]() -> Result<Rays> {
     MIRRORBALL_TRY(made, Geometry::make(scene()));
     const auto can_be_searched = [](const HeightTexture& each) { return !each.picture.empty(); };
     const auto& heights = scene().height_textures;
     if (std::all_of(heights.begin(), heights.end(), can_be_searched)) MIRRORBALL_TRY_VOID(made.makeReliefs(scene()));
-    return Result<Geometry>(std::move(made));
+    return Result<Rays>(Rays{scene_, std::move(made)});
   };
-  MIRRORBALL_TRY(geometry, geometry_.tryGet(versions_, make));
-  return geometry;
+  MIRRORBALL_TRY(rays, rays_.tryGet(versions_, make));
+  return &rays->geometry;
 }
 
 bool StagedScene::liesInBody(std::size_t instance) const {
@@ -158,9 +164,9 @@ Result<void> StagedScene::findIorAround() {
 }
 
 Result<void> StagedScene::makePrisms() {
-  for (const Mesh& mesh : scene().meshes)
-    if (showsHeightTexture(scene().materials[std::size_t(mesh.material)], ReliefKind::exact))
-      MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), static_cast<int>(&mesh - scene().meshes.data())));
+  for (std::size_t i = 0; i < scene().meshes.size(); ++i)
+    if (showsHeightTexture(scene().materials[std::size_t(scene().meshes[i]->material)], ReliefKind::exact))
+      MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), static_cast<int>(i)));
   return {};
 }
 

@@ -13,11 +13,12 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/rays/geometry.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/derived.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/scene/bodies/body_tree.h"
 #include "mirrorball/scene/box.h"
+#include "mirrorball/scene/mesh_file/positions.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -34,9 +35,19 @@ struct InstanceTraits {
 class StagedScene {
  public:
   /// scene    of which no other parts change than those that are told below
-  /// alike    of another form of the same scene, whose textures are shared; optional
+  /// alike    of another scene: what both share is shared on the GPU, too; optional
+  /// levels   of textures, where they were made before
   /// errors   too_large (a texture for this driver)
-  static Result<std::shared_ptr<StagedScene>> make(std::shared_ptr<const Scene> scene, const StagedScene* alike = {});
+  static Result<std::shared_ptr<StagedScene>> make(std::shared_ptr<const Scene> scene, const StagedScene* alike = {},
+                                                   const LevelsOfMaps& levels = {});
+
+  /// Shows another scene in its place. What both share stays on the GPU, and what is computed from parts that are as
+  /// before stays, too.
+  ///
+  /// changed  differingParts() of the two
+  /// levels   of textures, where they were made before
+  /// errors   too_large (a texture for this driver); then it is as before
+  Result<void> become(std::shared_ptr<const Scene> scene, unsigned changed, const LevelsOfMaps& levels = {});
 
   // Must be called when a part of the scene has become another one.
   void transformChanged(std::size_t instance);
@@ -51,9 +62,10 @@ class StagedScene {
 
   const BoundingSphere& bounds() const;
   const Box& box() const;
-  const std::vector<Box>& boxes() const;              ///< of the instances
-  const std::vector<InstanceTraits>& traits() const;  ///< likewise
-  const std::vector<glm::vec3>& centers() const;      ///< of the meshes, each in its own frame
+  const std::vector<Box>& boxes() const;                      ///< of the instances
+  const std::vector<InstanceTraits>& traits() const;          ///< likewise
+  const std::vector<std::vector<PositionRun>>& runs() const;  ///< of the meshes
+  const std::vector<glm::vec3>& centers() const;              ///< of the meshes, each in its own frame
 
   /// Of its bodies; nothing if there are none.
   ///
@@ -80,6 +92,11 @@ class StagedScene {
   ///
   /// errors   as bodyTree's
   Result<void> findIorAround();
+  /// Takes trees that were made elsewhere of this scene (bodyTree, sceneTree).
+  void take(std::optional<std::optional<BodyTree>> bodies, std::optional<std::optional<BodyTree>> triangles) {
+    if (bodies) bodies_.offer(versions_, std::move(*bodies));
+    if (triangles) scene_tree_.offer(versions_, std::move(*triangles));
+  }
   /// Makes the prisms of all meshes whose relief is found exactly.
   ///
   /// errors   too_large
@@ -99,21 +116,22 @@ class StagedScene {
   mutable Derived<Box> box_{StagePart::meshes | StagePart::transforms};
   mutable Derived<std::vector<Box>> boxes_{StagePart::meshes | StagePart::transforms};
   mutable Derived<std::vector<InstanceTraits>> traits_{StagePart::meshes | StagePart::shapes};
+  mutable Derived<std::vector<std::vector<PositionRun>>> runs_{StagePart::meshes};
   mutable Derived<std::vector<glm::vec3>> centers_{StagePart::meshes};
   Derived<std::optional<BodyTree>> bodies_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
   Derived<gl::Texture> body_words_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
+  /// Made elsewhere, and not yet sent.
+  Derived<std::optional<BodyTree>> scene_tree_{StagePart::meshes | StagePart::transforms | StagePart::occlusion |
+                                               StagePart::materials};
   Derived<std::optional<Triangles>> triangles_{StagePart::meshes | StagePart::transforms | StagePart::occlusion |
                                                StagePart::materials};
-  Derived<Geometry> geometry_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
+  struct Rays {
+    std::shared_ptr<const Scene> scene;  ///< which the geometry reads
+    Geometry geometry;
+  };
+  Derived<Rays> rays_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
   /// Instances whose surroundings the buffers know.
   Derived<std::set<std::size_t>> knows_ior_around_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
 };
-
-/// Whether two materials differ in numbers alone, so that no texture and no mesh on the GPU changes with them.
-bool haveSameBuffers(const Material& a, const Material& b);
-
-/// Whether one is another body, or shows another side, or is cut away elsewhere: all that is not only light on a
-/// surface.
-bool changesShape(const Material& a, const Material& b);
 
 }  // namespace mirrorball

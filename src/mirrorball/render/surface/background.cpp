@@ -44,14 +44,14 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   glDisable(GL_CULL_FACE);
   // Blurred exactly it is one level of the prefiltered chain.
   const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
-  const PrefilteredChain& chain = frame.prefiltered;
+  const PrefilteredChain& chain = frame.light.prefiltered;
   const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
   const bool reads_nearest = !is_prefiltered && settings.texture_filter == TextureFilter::nearest;
   cube.bind(kFreeUnit, reads_nearest ? &light.nearestSampler() : nullptr);
-  frame.proxy->bind(kNextFreeUnit);
-  program.set("environment_from_world", frame.environment_from_world);
+  frame.light.proxy->bind(kNextFreeUnit);
+  program.set("environment_from_world", frame.light.environment_from_world);
   program.set("environment_intensity", settings.env_intensity * light.unit());
-  setEyeRay(program, frame.camera);
+  setEyeRay(program, frame.sample.camera);
   program.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   program.set("samples_per_pixel", static_cast<float>(settings.samples));
   program.set("texture_filter", static_cast<int>(settings.texture_filter));

@@ -6,9 +6,9 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
 
 namespace mirrorball {

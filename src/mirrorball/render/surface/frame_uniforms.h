@@ -48,27 +48,47 @@ struct ProbeUniforms {
   std::vector<int> light_of_instance;  ///< index; −1: the environment's. Empty: of all
 };
 
-/// What all surfaces of a frame share.
-struct FrameUniforms {
-  PrefilteredChain prefiltered;
+/// One drawing of a frame.
+struct SampleUniforms {
   Camera camera;
+  int number = 0;                    ///< of the sample of the frame
+  std::span<const int> hidden = {};  ///< instances that are not drawn
+};
+
+/// The environment's light as a frame reads it (FrameLight::begin).
+struct LightUniforms {
+  PrefilteredChain prefiltered;
   glm::mat3 environment_from_world{1.0f};
-  CoordinateMatrices coordinates;
+  ProxyUniforms* proxy = nullptr;           ///< placed as the settings say; must be set
   const FlatLight* flat = nullptr;          ///< where FrameSettings::look_up reads it
-  const gl::Texture* sphere_map = nullptr;  ///< of this camera; null: no coordinates are places of it
-  const gl::Texture* bodies = nullptr;      ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
-  const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
-  std::span<const int> unseen_by_itself = {};    ///< of instances: BodyTree's of that tree
-  formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
-  const BackFaces* back_faces = nullptr;         ///< drawn with this camera; null: the frame's refraction does without
-  const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
-  int sample = 0;                                ///< number of the sample of the frame
-  ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
-  const gl::Texture* opaque_picture = nullptr;   ///< OpaquePicture of this camera; null: nothing reads it
-  float screen_unit = 1.0f;                      ///< of its distances [world units]
-  Box shown = {};                                ///< around all that it shows
-  const ProbeUniforms* probes = nullptr;         ///< null: there are none
-  std::span<const int> hidden = {};              ///< instances that are not drawn
+  const gl::Texture* sphere_map = nullptr;  ///< of the frame's camera; null: no coordinates are places of it
+};
+
+/// What rays and texture coordinates of a frame need of the scene (SceneDrawing::begin).
+struct SceneUniforms {
+  CoordinateMatrices coordinates;
+  const gl::Texture* bodies = nullptr;     ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const gl::Texture* triangles = nullptr;  ///< sceneTree(); null: none are reflected
+  std::span<const int> unseen_by_itself = {};  ///< of instances: BodyTree's of that tree
+  formula::Media eye_media;                    ///< of traced bodies, those that the camera is inside of
+};
+
+/// What surfaces read of pictures of the same drawing (SceneDrawing::draw).
+struct ScreenUniforms {
+  const BackFaces* back_faces = nullptr;        ///< null: the frame's refraction does without
+  const gl::Texture* relief_hits = nullptr;     ///< ReliefHits; null: none is found exactly
+  const gl::Texture* opaque_picture = nullptr;  ///< OpaquePicture; null: nothing reads it
+  float unit = 1.0f;                            ///< of its distances [world units]
+  Box shown = {};                               ///< around all that it shows
+};
+
+/// What all surfaces of a drawing share.
+struct FrameUniforms {
+  SampleUniforms sample;
+  LightUniforms light;
+  const ProbeUniforms* probes = nullptr;  ///< Probes::begin; null: there are none
+  SceneUniforms scene;
+  ScreenUniforms screen;
 };
 
 }  // namespace mirrorball

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "formula/surface.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
 #include "mirrorball/scene/scene.h"
 

@@ -100,9 +100,9 @@ class Drawing {
     MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, units));
     buffers.filterMaps(scene, filter, 1.0f);
     FrameUniforms frame;
-    frame.prefiltered = {&light_.prefiltered(), 1};
-    frame.camera = makeCamera({}, boundingSphere(scene), 1.0f);
-    frame.proxy = &far_away_;
+    frame.light.prefiltered = {&light_.prefiltered(), 1};
+    frame.sample.camera = makeCamera({}, boundingSphere(scene), 1.0f);
+    frame.light.proxy = &far_away_;
     FrameSettings settings;
     settings.samples = 1;
     settings.texture_filter = filter;

@@ -28,7 +28,7 @@ Result<void> NearnessPicture::draw(gl::Api api, const gl::Framebuffer& picture, 
   gl::drawOverAll();
   MIRRORBALL_TRY_VOID(drawProxy(api, frame, unit));
   picture.depth().bind(kFreeUnit);
-  program_.set("eye_from_texels", eyeFromTexels(frame.camera, size));
+  program_.set("eye_from_texels", eyeFromTexels(frame.sample.camera, size));
   program_.set("unit", unit);
   program_.use();
   screen_.draw(3);
@@ -36,20 +36,20 @@ Result<void> NearnessPicture::draw(gl::Api api, const gl::Framebuffer& picture, 
 }
 
 Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame, float unit) {
-  const ProxyKind kind = frame.proxy->proxy().kind;
+  const ProxyKind kind = frame.light.proxy->proxy().kind;
   if (kind == ProxyKind::none) return {};
   auto found = of_proxy_.find(kind);
   if (found == of_proxy_.end()) {
     MIRRORBALL_TRY(vertex, gl::shaderSource(api, "screen.vert"));
     MIRRORBALL_TRY(fragment, nearnessShader(api, kind));
     MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with nearness_of_proxy.frag"));
-    frame.proxy->connection().connect(program, kind, kNextFreeUnit);
+    frame.light.proxy->connection().connect(program, kind, kNextFreeUnit);
     found = of_proxy_.emplace(kind, std::move(program)).first;
   }
   gl::Program& program = found->second;
-  setEyeRay(program, frame.camera);
+  setEyeRay(program, frame.sample.camera);
   program.set("unit", unit);
-  frame.proxy->bind(kNextFreeUnit);
+  frame.light.proxy->bind(kNextFreeUnit);
   program.use();
   screen_.draw(3);
   return {};

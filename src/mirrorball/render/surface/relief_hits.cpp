@@ -45,7 +45,7 @@ void ReliefHits::drawInstance(const Scene& scene, const SceneBuffers& buffers, s
   program_.set("tiles", material.height_frequency);
   program_.set("instance", static_cast<int>(instance));
   program_.set("height_map", heightMapUniform(scene.height_textures[std::size_t(material.height_texture)]));
-  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)].material)->searched->heights.bind(kFreeUnit);
+  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)]->material)->searched->heights.bind(kFreeUnit);
   buffers.drawPrisms(mesh, kNextFreeUnit);
 }
 

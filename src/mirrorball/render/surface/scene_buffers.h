@@ -14,7 +14,9 @@
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/sampler.h"
 #include "mirrorball/gl/texture.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/surface/height_buffers.h"
+#include "mirrorball/render/surface/map_levels.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/render/surface/scene_blocks.h"
 #include "mirrorball/render/surface/texture_units.h"
@@ -27,13 +29,29 @@ inline bool isAmong(std::span<const int> instances, std::size_t instance) {
   return contains(instances, static_cast<int>(instance));
 }
 
+/// What was sent to the GPU of something that scenes share.
+template <typename Source, typename Made>
+struct Sent {
+  Shared<Source> source;
+  Made made;
+};
+template <typename Source, typename Made>
+using SentPointer = std::shared_ptr<Sent<Source, Made>>;
+
 /// A scene's meshes, textures and uniform blocks on the GPU.
 class SceneBuffers {
  public:
   /// units    texture units that each material has
-  /// alike    of another form of the same scene, whose textures are taken where they are read alike; optional
+  /// alike    of another scene, whose meshes and textures are taken where both scenes share them; optional
+  /// levels   of textures, where they were made before
   /// errors   too_large: a texture is larger than the driver takes
-  static Result<SceneBuffers> make(const Scene& scene, int units, const SceneBuffers* alike = nullptr);
+  static Result<SceneBuffers> make(const Scene& scene, int units, const SceneBuffers* alike = nullptr,
+                                   const LevelsOfMaps& levels = {});
+
+  // What is known of a scene before this one is also of this one.
+  void keepBlocks(SceneBuffers& before) { blocks_ = std::move(before.blocks_); }
+  void keepAround(SceneBuffers& before) { ior_around_ = std::move(before.ior_around_); }  ///< setIorAround()
+  void keepPrisms(SceneBuffers& before) { prisms_ = std::move(before.prisms_); }
 
   SceneBlocks& blocks() { return blocks_; }
 
@@ -56,29 +74,15 @@ class SceneBuffers {
   void drawPrisms(int mesh, int unit) const;
 
   /// OpenGL's name of a texture that has a unit of its own; 0: it has none.
-  unsigned textureName(std::size_t texture) const { return textures_[texture] ? textures_[texture]->name() : 0; }
+  unsigned textureName(std::size_t texture) const {
+    return textures_[texture] ? textures_[texture]->texture.name() : 0;
+  }
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
-  /// What a surface is searched for in that heights move.
-  struct SearchedHeights {
-    gl::Texture heights;   ///< HeightTexture::picture, cones in green
-    gl::Texture horizons;  ///< HorizonMap::slopes as layers
-  };
-  /// A material's heights: gives its map to the shader, and its slopes.
-  struct Heights {
-    gl::Texture slopes;  ///< SlopeMoments::levels
-    float slope_unit;
-    std::optional<SearchedHeights> searched = {};  ///< where the heights have horizons
-  };
-  /// Of a material; null: it has none.
-  const Heights* heightsOf(const Scene& scene, int material) const;
-  /// A material's map of slopes, where no heights are shown.
-  struct Slopes {
-    gl::Texture texture;  ///< SlopeMoments::levels
-    float unit;
-  };
-  /// Of a material; null: it has none.
-  const Slopes* slopesOf(const Scene& scene, int material) const;
+  /// A material's heights: gives its map to the shader, and its slopes; null: it has none.
+  const HeightBuffers* heightsOf(const Scene& scene, int material) const;
+  /// A material's map of slopes, where no heights are shown; null: it has none.
+  const SlopeBuffer* slopesOf(const Scene& scene, int material) const;
   /// Says how the textures that have a unit of their own are read; those in layers are filtered by the shader.
   ///
   /// filter       at first trilinear
@@ -93,28 +97,29 @@ class SceneBuffers {
     gl::VertexArray boxes;
     std::size_t index_count;
   };
-  struct MeshBuffers {
-    gl::VertexArray vertices;
-    std::size_t index_count;
-    std::optional<Prisms> prisms = {};
+  struct MapTexture {
+    MapContent content;
+    SharedPicture picture;  ///< the content's
+    gl::Texture texture;
   };
   struct MaterialMaps {
     std::vector<MapSource> sources;
     std::optional<gl::Texture> layers;
   };
-  SceneBlocks blocks_;
-  void addMeshes(const Scene& scene);
-  Result<void> addMaps(const Scene& scene, const SceneBuffers* alike);
+  void addOcclusion(const Scene& scene);
+  Result<void> addMaps(const Scene& scene, const SceneBuffers* alike, const LevelsOfMaps& known);
   const gl::Sampler* samplerOf(const gl::Sampling& sampling);
 
-  std::vector<MeshBuffers> meshes_;
-  std::vector<std::optional<gl::Buffer>> occlusions_;   // of instances
-  std::vector<std::optional<gl::Buffer>> ior_around_;   // of instances, less 1
-  std::vector<std::shared_ptr<gl::Texture>> textures_;  // those that have a unit of their own
-  std::vector<bool> holds_normals_;                     // of each texture: nothing else is read of it
+  SceneBlocks blocks_;
+  std::vector<SentPointer<Mesh, gl::VertexArray>> meshes_;
+  std::vector<std::optional<Prisms>> prisms_;          // of meshes
+  std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
+  std::vector<std::optional<gl::Buffer>> ior_around_;  // of instances, less 1
+  std::vector<MapContent> contents_;                   // of textures
+  std::vector<std::shared_ptr<MapTexture>> textures_;  // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
-  std::vector<Heights> heights_;  // of Scene::height_textures
-  std::vector<Slopes> slopes_;    // of Scene::slope_textures
+  std::vector<SentPointer<HeightTexture, HeightBuffers>> heights_;  // of Scene::height_textures
+  std::vector<SentPointer<Image, SlopeBuffer>> slopes_;             // of Scene::slope_textures
   int units_ = 0;
   std::map<gl::Sampling, gl::Sampler> samplers_;
   // How they are read now, each of samplers_.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -43,7 +44,7 @@ std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& setting
 
 /// The index of an instance's material.
 int materialOf(const Scene& scene, int instance) {
-  return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
+  return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)]->material;
 }
 
 /// Chooses what reads a probe's light in place of the environment's: by cube samplers, however that is read. What a
@@ -65,9 +66,10 @@ std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media)
 void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const FrameUniforms& frame,
                  const FrameSettings& settings) {
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
-  const auto eye_media = mediaRows(frame.eye_media);
-  for (auto& [variant, made] : programs) {
-    gl::Program& program = made.program;
+  const auto eye_media = mediaRows(frame.scene.eye_media);
+  for (auto& [variant, entry] : programs) {
+    if (!entry.made) continue;
+    gl::Program& program = entry.made->program;
     if (variant.lamp_count > 0 && std::size_t(variant.lamp_count) * 4 == lamps.size())
       program.set("lamp_rows", std::span<const glm::vec4>(lamps));
     if (variant.has(Part::transmission, TransmissionPart::traced))
@@ -109,18 +111,16 @@ bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
          captured == frame.captured && settings == frame.settings;
 }
 
-Result<SurfaceDrawing::Draw> SurfaceDrawing::drawOf(SurfacePrograms& programs, const Scene& scene, int instance,
-                                                    const SceneBuffers& buffers, ProxyUniforms& proxy,
-                                                    const FrameSettings& settings) {
-  MIRRORBALL_TRY(program, programs.programFor(variantOf(scene, instance, buffers, settings), proxy));
-  const SurfaceVariant& variant = program->first;
+SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
+                                            SurfacePrograms::Programs::reference entry) const {
+  const SurfaceVariant& variant = entry.first;
   const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
                          variant.has(Part::transmission, TransmissionPart::image_space) ||
                          variant.has(Part::transmission, TransmissionPart::traced);
   return Draw{.mesh = scene.instances[std::size_t(instance)].mesh,
               .material = materialOf(scene, instance),
               .variant = &variant,
-              .program = &program->second,
+              .program = &*entry.second.made,
               .light = lightRead(variant, instance),
               .is_costly = is_traced && variant.has(Part::point, PointPart::raster) &&
                            variant.has(Part::alpha, AlphaPart::opaque)};
@@ -145,9 +145,15 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(draw, drawOf(programs, scene, instance, buffers, proxy, settings));
-    list.draws.push_back(draw);
+  const int instances = static_cast<int>(scene.instances.size());
+  std::vector<SurfacePrograms::Programs::pointer> entries;
+  for (int instance = 0; instance < instances; ++instance) {
+    MIRRORBALL_TRY(entry, programs.submit(variantOf(scene, instance, buffers, settings)));
+    entries.push_back(entry);
+  }
+  for (int instance = 0; instance < instances; ++instance) {
+    MIRRORBALL_TRY_VOID(programs.finish(*entries[std::size_t(instance)], proxy));
+    list.draws.push_back(drawOf(scene, instance, *entries[std::size_t(instance)]));
   }
   if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
   draw_lists_.push_back(std::move(list));
@@ -159,46 +165,46 @@ void SurfaceDrawing::setFrame(const SurfacePrograms& programs, const FrameUnifor
                               const FrameSettings& settings) {
   if (!frame_) frame_.emplace(programs.layout(SurfacePrograms::frame_point));
   gl::UniformBlock& block = *frame_;
-  const glm::mat4 clip_from_world = frame.camera.clip_from_view * frame.camera.view_from_world;
+  const glm::mat4 clip_from_world = frame.sample.camera.clip_from_view * frame.sample.camera.view_from_world;
   block.set("clip_from_world", clip_from_world);
   block.set("world_from_clip", glm::inverse(clip_from_world));
-  block.set("look_up_matrix", frame.coordinates.look_up);
-  block.set("picture_matrix", frame.coordinates.picture);
-  if (frame.back_faces) {
-    block.set("back_faces_from_world", frame.back_faces->texelsFromWorld());
-    block.set("eye_from_back_faces", frame.back_faces->eyeFromTexels());
+  block.set("look_up_matrix", frame.scene.coordinates.look_up);
+  block.set("picture_matrix", frame.scene.coordinates.picture);
+  if (frame.screen.back_faces) {
+    block.set("back_faces_from_world", frame.screen.back_faces->texelsFromWorld());
+    block.set("eye_from_back_faces", frame.screen.back_faces->eyeFromTexels());
   }
-  block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
-  block.set("camera_position", frame.camera.position);
-  block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
-  block.set("camera_forward", frame.camera.forward);
-  block.set("screen_unit", frame.screen_unit);
+  block.set("eye_from_world", glm::mat3(frame.sample.camera.view_from_world));
+  block.set("camera_position", frame.sample.camera.position);
+  block.set("orthographic", frame.sample.camera.orthographic ? 1.0f : 0.0f);
+  block.set("camera_forward", frame.sample.camera.forward);
+  block.set("screen_unit", frame.screen.unit);
   // One that holds nothing is a point where no ray comes: shaders are not promised infinity.
   constexpr float kNowhere = 1e30f;
-  block.set("shown_low", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.low);
-  block.set("shown_high", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.high);
+  block.set("shown_low", frame.screen.shown.isEmpty() ? glm::vec3(kNowhere) : frame.screen.shown.low);
+  block.set("shown_high", frame.screen.shown.isEmpty() ? glm::vec3(kNowhere) : frame.screen.shown.high);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
-  block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
+  block.set("sample_phase", (static_cast<float>(frame.sample.number) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));
   block.set("lobe_taps", lobesOf(settings));
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));
   if (isSpectral(settings))
-    block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
+    block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample.number)));
 }
 
 void SurfaceDrawing::setLights(const EnvironmentLight& light, const FrameUniforms& frame,
                                const FrameSettings& settings) {
-  const FlatLight* flat = frame.flat;
+  const FlatLight* flat = frame.light.flat;
   const bool reads_nearest = !flat && settings.texture_filter == TextureFilter::nearest;
   lights_ = {{.environment = flat ? &flat->environment : &light.cube(),
               .environment_sampler = reads_nearest ? &light.nearestSampler() : nullptr,
-              .prefiltered = flat ? &flat->prefiltered : frame.prefiltered.texture,
+              .prefiltered = flat ? &flat->prefiltered : frame.light.prefiltered.texture,
               .irradiance = flat ? &flat->irradiance : &light.irradiance(),
-              .blur = blurOf(settings, light.cube(), frame.prefiltered),
+              .blur = blurOf(settings, light.cube(), frame.light.prefiltered),
               .intensity = settings.env_intensity * light.unit(),
-              .environment_from_world = frame.environment_from_world}};
+              .environment_from_world = frame.light.environment_from_world}};
   light_of_instance_.clear();
   if (!frame.probes) return;
   lights_.insert(lights_.end(), frame.probes->lights.begin(), frame.probes->lights.end());
@@ -231,17 +237,19 @@ void SurfaceDrawing::bindLight(int light) {
   read.irradiance->bind(static_cast<int>(FrameTexture::irradiance));
 }
 
-Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
-                                   std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
-                                   const FrameSettings& settings) {
-  if (scene.instances.empty()) return {};
-  if (!screen_) screen_.emplace();
+/// What decides how instances are drawn.
+void SurfaceDrawing::noteFrame(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
+                               const FrameSettings& settings) {
   coordinates_ = coordinateChoice(scene, settings);
-  eye_is_inside_ = frame.eye_media.count > 0;
+  eye_is_inside_ = frame.scene.eye_media.count > 0;
   setLights(light, frame, settings);
-  scene_triangles_ = frame.scene_triangles;
-  unseen_by_itself_ = frame.unseen_by_itself;
-  MIRRORBALL_TRY_VOID(findDraws(programs, scene, buffers, version, *frame.proxy, settings));
+  scene_triangles_ = frame.scene.triangles;
+  unseen_by_itself_ = frame.scene.unseen_by_itself;
+}
+
+void SurfaceDrawing::setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
+                               const FrameUniforms& frame, const FrameSettings& settings) {
+  if (!screen_) screen_.emplace();
   buffers.blocks().make(scene, programs.layout(SurfacePrograms::instance_point),
                         programs.layout(SurfacePrograms::material_point));
   light_layout_ = programs.layout(SurfacePrograms::light_point);
@@ -249,13 +257,47 @@ Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene
   setFrame(programs, frame, settings);
   bound_light_ = -1;
   programs.bindBrdfTable();
-  sphere_map_ = frame.sphere_map;
-  proxy_ = frame.proxy;
-  bodies_ = frame.bodies;
-  back_faces_ = frame.back_faces;
-  relief_hits_ = frame.relief_hits;
-  opaque_picture_ = frame.opaque_picture;
+  sphere_map_ = frame.light.sphere_map;
+  proxy_ = frame.light.proxy;
+  bodies_ = frame.scene.bodies;
+  back_faces_ = frame.screen.back_faces;
+  relief_hits_ = frame.screen.relief_hits;
+  opaque_picture_ = frame.screen.opaque_picture;
+}
+
+Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
+                                   std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
+                                   const FrameSettings& settings) {
+  if (scene.instances.empty()) return {};
+  noteFrame(scene, light, frame, settings);
+  MIRRORBALL_TRY_VOID(findDraws(programs, scene, buffers, version, *frame.light.proxy, settings));
+  setBlocks(programs, scene, buffers, frame, settings);
   return {};
+}
+
+Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(
+    SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const EnvironmentLight& light,
+    const FrameUniforms& frame, const FrameSettings& settings) {
+  noteFrame(scene, light, frame, settings);
+  std::map<SurfacePrograms::Programs::pointer, int> waiting;  // the first instance of each
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
+    MIRRORBALL_TRY(entry, programs.submit(variantOf(scene, instance, buffers, settings)));
+    if (!entry->second.made) waiting.try_emplace(entry, instance);
+  }
+  if (waiting.empty()) return std::optional<MadeProgram>();
+  auto next = std::find_if(waiting.begin(), waiting.end(),
+                           [](const auto& each) { return each.first->second.submitted->isReady(); });
+  if (next == waiting.end()) next = waiting.begin();
+  const auto [entry, instance] = *next;
+  MIRRORBALL_TRY_VOID(programs.finish(*entry, *frame.light.proxy));
+  made_ = drawOf(scene, instance, *entry);
+  made_for_ = instance;
+  setBlocks(programs, scene, buffers, frame, settings);
+  return std::optional(MadeProgram{instance, static_cast<int>(waiting.size()) - 1});
+}
+
+void SurfaceDrawing::tryOut(const Scene& scene, SceneBuffers& buffers, const FrameSettings& settings) {
+  draw(*made_, scene, made_for_, buffers, settings);
 }
 
 /// Those of a frame that a program reads beside what all do.
@@ -273,7 +315,11 @@ void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceL
 }
 
 void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
-  const Draw& draw = draws()[std::size_t(instance)];
+  draw(draws()[std::size_t(instance)], scene, instance, buffers, settings);
+}
+
+void SurfaceDrawing::draw(const Draw& draw, const Scene& scene, int instance, SceneBuffers& buffers,
+                          const FrameSettings& settings) {
   const int material = draw.material;
   const SurfaceVariant& variant = *draw.variant;
   gl::Program& program = draw.program->program;

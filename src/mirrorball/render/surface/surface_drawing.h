@@ -8,8 +8,8 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/uniform_block.h"
-#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_programs.h"
@@ -29,6 +29,21 @@ class SurfaceDrawing {
   /// errors   unsupported (the driver does not compile a shader)
   Result<void> begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, std::uint64_t version,
                      const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+
+  /// Makes one of the programs that such a frame needs and that there are not, of those the driver has given to it all:
+  /// the first that is ready.
+  ///
+  /// returns  the instance that it is for, which `tryOut` then draws; nothing: all are there
+  /// errors   as begin's
+  struct MadeProgram {
+    int instance;
+    int left;  ///< that are still to be made
+  };
+  Result<std::optional<MadeProgram>> makeProgram(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
+                                                 const EnvironmentLight& light, const FrameUniforms& frame,
+                                                 const FrameSettings& settings);
+  /// Draws an instance with the program that was made last, without what the frame's own pictures hold.
+  void tryOut(const Scene& scene, SceneBuffers& buffers, const FrameSettings& settings);
 
   /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
   /// after `begin`.
@@ -64,8 +79,12 @@ class SurfaceDrawing {
   const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
   Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
                          std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);
-  Result<Draw> drawOf(SurfacePrograms& programs, const Scene& scene, int instance, const SceneBuffers& buffers,
-                      ProxyUniforms& proxy, const FrameSettings& settings);
+  Draw drawOf(const Scene& scene, int instance, SurfacePrograms::Programs::reference entry) const;
+  void noteFrame(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
+                 const FrameSettings& settings);
+  void setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const FrameUniforms& frame,
+                 const FrameSettings& settings);
+  void draw(const Draw& draw, const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
   SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   void setFrame(const SurfacePrograms& programs, const FrameUniforms& frame, const FrameSettings& settings);
@@ -75,6 +94,8 @@ class SurfaceDrawing {
   void bindLight(int light);
   void bindFrameTextures(const TextureUnits& units, const SurfaceLight& light);
 
+  std::optional<Draw> made_;  ///< of makeProgram
+  int made_for_ = 0;          ///< the instance
   std::vector<DrawList> draw_lists_;
   std::size_t drawn_ = 0;         ///< which of them the sample has
   CoordinateChoice coordinates_;  ///< of the frame

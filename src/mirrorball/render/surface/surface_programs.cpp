@@ -1,6 +1,7 @@
 #include "mirrorball/render/surface/surface_programs.h"
 
 #include <string>
+#include <utility>
 
 #include "mirrorball/render/surface/brdf_texture.h"
 #include "mirrorball/render/surface/texture_units.h"
@@ -45,18 +46,31 @@ void SurfacePrograms::connect(Program& made, const SurfaceVariant& variant, Prox
   }
 }
 
-Result<SurfacePrograms::Programs::pointer> SurfacePrograms::programFor(const SurfaceVariant& variant,
-                                                                       ProxyUniforms& proxy) {
+Result<SurfacePrograms::Programs::pointer> SurfacePrograms::submit(const SurfaceVariant& variant) {
   auto found = programs_.find(variant);
   if (found == programs_.end()) {
     MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
-    MIRRORBALL_TRY(program, gl::Program::build(shaders.vertex, shaders.fragment, "surface.vert with surface.frag"));
-    if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
-    Program made{std::move(program), TextureUnits(variant)};
-    connect(made, variant, proxy);
-    found = programs_.emplace(variant, std::move(made)).first;
+    gl::PendingProgram submitted(std::move(shaders.vertex), std::move(shaders.fragment),
+                                 "surface.vert with surface.frag");
+    found = programs_.emplace(variant, Entry{.submitted = std::move(submitted)}).first;
   }
   return &*found;
+}
+
+Result<void> SurfacePrograms::finish(Programs::reference entry, ProxyUniforms& proxy) {
+  const SurfaceVariant& variant = entry.first;
+  Entry& program = entry.second;
+  if (program.made) return {};
+  auto made = program.submitted->finish();
+  if (!made) {
+    programs_.erase(variant);
+    return fail(std::move(made));
+  }
+  program.submitted.reset();
+  if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
+  program.made.emplace(Program{std::move(*made), TextureUnits(variant)});
+  connect(*program.made, variant, proxy);
+  return {};
 }
 
 void SurfacePrograms::bindBrdfTable() const { brdf_table_.bind(static_cast<int>(FrameTexture::brdf_table)); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "mirrorball/base/result.h"
@@ -26,7 +27,11 @@ class SurfacePrograms {
     gl::Program program;
     TextureUnits units;
   };
-  using Programs = std::map<SurfaceVariant, Program>;
+  struct Entry {
+    std::optional<gl::PendingProgram> submitted = {};
+    std::optional<Program> made = {};
+  };
+  using Programs = std::map<SurfaceVariant, Entry>;
 
   /// brdf_table   surfaceBrdfTable(): cloth is added where a material needs it
   /// errors       too_large (for this driver)
@@ -34,13 +39,17 @@ class SurfacePrograms {
 
   gl::Api api() const { return api_; }
 
-  /// A variant's program, made when it is first asked for; it stays where it is.
+  /// Gives a variant's program to the driver when it is first asked for. The entry stays where it is.
+  ///
+  /// errors   not_found (surfaceShaders)
+  Result<Programs::pointer> submit(const SurfaceVariant& variant);
+  /// Waits until that is made.
   ///
   /// proxy    connected to it
   /// errors   unsupported (the driver does not compile a shader)
-  Result<Programs::pointer> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
+  Result<void> finish(Programs::reference entry, ProxyUniforms& proxy);
 
-  /// All that were made.
+  /// All that were submitted.
   Programs& programs() { return programs_; }
 
   /// How a block lies in memory; null: no program that was made has it.

@@ -206,7 +206,7 @@ TEST_P(SurfaceTextureTest, UGrowsToTheRightAndVDownwards) {
 // Three periods of two texels, the middle one being the texture itself.
 TEST_P(SurfaceTextureTest, EachAxisWrapsAsItIsTold) {
   Scene scene = texturedSquare(chalk(), &Material::base_color_map, textureOfTexels(2, {kRed, kGreen, kBlue, kWhite}));
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = vertex.uv[0] * 3.0f - 1.0f;
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] = vertex.uv[0] * 3.0f - 1.0f;
   const auto letters_of = [&](Wrap s, Wrap t) {
     scene.textures[0].wrap_s = s;
     scene.textures[0].wrap_t = t;
@@ -319,7 +319,7 @@ TEST_P(SurfaceTextureTest, EverySlotHasItsOwnTextureCoordinatesAndTransform) {
   for (const SlotCase& slot_case : slotCases()) {
     Scene scene =
         texturedSquare(slot_case.material, slot_case.slot, textureOfTexels(2, {slot_case.left, slot_case.right}));
-    for (Vertex& vertex : scene.meshes[0].vertices) {
+    for (Vertex& vertex : scene.meshes[0].edit().vertices) {
       vertex.uv[0] = {0.25f, 0.5f};
       vertex.uv[1] = {0.75f, 0.5f};
     }
@@ -362,7 +362,7 @@ TEST_P(SurfaceTextureTest, AllSlotsTogetherKeepTheirTextures) {
 TEST_P(SurfaceTextureTest, VertexColorsAreInterpolatedAndMultiplyTheBaseColor) {
   Scene scene = texturedSquare(chalk({1.0f, 0.5f, 0.5f}), &Material::base_color_map,
                                textureOfTexels(1, {Texel{255, 255, 51, 255}}));
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.color = {vertex.uv[0].x, 0.5f, 1.0f, 1.0f};
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.color = {vertex.uv[0].x, 0.5f, 1.0f, 1.0f};
   const Image image = drawn(scene, whiteLight(), {.cells = 4});
   for (int column = 0; column < 4; ++column)
     expectNear(cell(image, column, 1), {(static_cast<float>(column) + 0.5f) / 4.0f, 0.25f, 0.1f, 1.0f}, kExact,
@@ -458,7 +458,7 @@ TEST_P(SurfaceTextureTest, ANormalMapBendsWhereAMirrorLooks) {
         texturedSquare(*materialNamed("mirror"), &Material::normal_map, textureOfTexels(1, {normal_case.texel}));
     scene.materials[0].normal_scale = normal_case.scale;
     scene.materials[0].double_sided = true;
-    for (Vertex& vertex : scene.meshes[0].vertices) vertex.tangent = normal_case.tangent;
+    for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.tangent = normal_case.tangent;
     scene.instances[0].world_from_object = normal_case.world_from_object;
     expectNear(seen(scene, compass()), glm::vec4((1.0f + normal_case.looks) / 2.0f, 1.0f), kBentNormal,
                normal_case.what);
@@ -471,7 +471,7 @@ Scene partlyOpaque(AlphaMode mode) {
   material.opacity = 0.7f;
   material.alpha_mode = mode;
   Scene scene = texturedSquare(material, &Material::base_color_map, textureOfTexels(1, {Texel{255, 255, 255, 153}}));
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.color.w = 0.8f;
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.color.w = 0.8f;
   return scene;
 }
 
@@ -523,7 +523,7 @@ Scene redBeforeGreen(float mesh_depth, float instance_depth) {
     material.double_sided = true;
     scene.materials.push_back(material);
     scene.meshes.push_back(square(side * mesh_depth));
-    scene.meshes.back().material = index;
+    scene.meshes.back().edit().material = index;
     scene.instances.push_back({index, glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, side * instance_depth))});
   }
   return scene;

@@ -357,6 +357,12 @@ RefractionKind refractionOf(const Scene& scene, int material, RefractionKind ask
   return triangles <= kFewTriangles ? RefractionKind::traced : RefractionKind::image_space;
 }
 
+bool someRefract(const Scene& scene, RefractionKind kind, RefractionKind asked) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (isBody(scene.materials[i]) && refractionOf(scene, static_cast<int>(i), asked) == kind) return true;
+  return false;
+}
+
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
                               std::size_t lamps, const CoordinateChoice& coordinates) {
   SurfaceVariant variant;

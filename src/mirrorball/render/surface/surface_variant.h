@@ -11,7 +11,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/shader_source.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
 #include "mirrorball/scene/material/material.h"
@@ -107,6 +107,9 @@ bool seesScreen(const Material& material, const FrameSettings& settings);
 
 /// How light passes through a material's bodies, where the settings leave it to their size.
 RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked);
+
+/// Whether light passes so through some body.
+bool someRefract(const Scene& scene, RefractionKind kind, RefractionKind asked);
 
 /// maps          mapSources() of the material
 /// lamps         how many there are

@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
 

@@ -4,7 +4,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball {
 

@@ -31,9 +31,7 @@ const auto kAnimationOptions = std::to_array<Option<AnimationChoice>>({
     {{.name = "animation",
       .value = "NAME|N[@SECONDS]",
       .help = "show the model as this one of its own animations has it, by name or number, at that time or at the "
-              "start; without a time {option:frames} N goes over its length, the last picture one step before its end "
-              "so that a loop closes, and the camera stands still unless {option:turn} is given; a wrong name lists "
-              "them, and so does `mirrorball info`",
+              "start; a wrong name lists them, and so does `mirrorball info`",
       .group = "Picture"},
      kAnimation},
 });

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "formula/tangent.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/target_values.h"
 
@@ -20,16 +22,30 @@ void turnBitangents(Mesh& mesh) {
   for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
 }
 
+/// A rotation whose −Z is a direction, as lamps shine.
+glm::mat4 facing(glm::vec3 direction) {
+  const glm::vec3 back = -glm::normalize(direction);
+  const glm::vec3 right = formula::anyTangent(back);
+  return glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f), glm::vec4(back, 0.0f),
+                   glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+}
+
 double volumeOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
 
 /// Whether its bent meshes are those that it was loaded with.
 bool fitsRig(const Scene& scene) {
   for (const RigPart& part : scene.rig.parts) {
     if (std::size_t(part.mesh) >= scene.meshes.size()) return false;
-    const std::size_t vertices = scene.meshes[std::size_t(part.mesh)].vertices.size();
+    const std::size_t vertices = scene.meshes[std::size_t(part.mesh)]->vertices.size();
     if (part.deformation && vertices != part.deformation->vertices.size()) return false;
   }
   return scene.rig.camera_nodes.size() <= scene.cameras.size() && scene.rig.light_nodes.size() <= scene.lights.size();
+}
+
+/// errors   bad_shape: the rig is of another scene
+Result<void> checkRig(const Scene& scene) {
+  if (fitsRig(scene)) return {};
+  return fail(ErrorCode::bad_shape, "its meshes, cameras and lights are not those that its nodes show");
 }
 
 /// Shows a scene's parts where its rig has them at some time.
@@ -90,9 +106,14 @@ class Poser {
       if (part.deformation && keeps_bent) part.mesh = addMesh(scene_.meshes[std::size_t(part.mesh)]);
       if (part.deformation) bend(part, volume < 0.0);
       const int mesh = !part.deformation && volume < 0.0 ? mirrorImageOf(part.mesh) : part.mesh;
-      scene_.instances.push_back({mesh, part.skin < 0 ? glm::mat4(worldOf(part.node)) : glm::mat4(1.0f)});
+      scene_.instances.push_back({.mesh = mesh,
+                                  .world_from_object = part.skin < 0 ? glm::mat4(worldOf(part.node)) : glm::mat4(1.0f),
+                                  .node = part.node});
     }
   }
+
+  /// Leaves the nodes where they are now.
+  void keepNodes() { rig_.nodes = std::move(nodes_); }
 
  private:
   static tl::unexpected<Error> tooLarge() {
@@ -102,7 +123,7 @@ class Poser {
   const glm::dmat4& worldOf(int node) const { return worlds_[std::size_t(node)]; }
 
   void bend(RigPart& part, bool node_mirrors) {
-    Mesh& mesh = scene_.meshes[std::size_t(part.mesh)];
+    Mesh& mesh = scene_.meshes[std::size_t(part.mesh)].edit();
     std::span<const glm::mat4> joints;
     if (part.skin >= 0) joints = skins_[std::size_t(part.skin)];
     const bool joints_mirror = deform(*part.deformation, nodes_[std::size_t(part.node)].weights, joints, mesh);
@@ -136,11 +157,18 @@ class Poser {
 }  // namespace
 
 Result<Scene> posed(Scene scene, std::size_t animation, double seconds) {
-  return posesTogether(std::move(scene), animation, {&seconds, 1});
+  MIRRORBALL_TRY_VOID(checkRig(scene));
+  scene.instances.clear();
+  Poser poser(scene);
+  MIRRORBALL_TRY_VOID(poser.moveTo(scene.rig.animations[animation], seconds));
+  poser.addInstances(false);
+  poser.keepNodes();
+  scene.rig.animations.clear();
+  return scene;
 }
 
 Result<Scene> posesTogether(Scene scene, std::size_t animation, std::span<const double> seconds) {
-  if (!fitsRig(scene)) return fail(ErrorCode::bad_shape, "its meshes are not those that its animations move");
+  MIRRORBALL_TRY_VOID(checkRig(scene));
   scene.instances.clear();
   Poser poser(scene);
   for (std::size_t i = 0; i < seconds.size(); ++i) {
@@ -157,6 +185,38 @@ Result<void> poseAtRest(Scene& scene) {
   MIRRORBALL_TRY_VOID(poser.place());
   poser.addInstances(false);
   return {};
+}
+
+Result<void> placeNode(Scene& scene, std::size_t node, const NodePlace& place) {
+  if (node >= scene.rig.nodes.size())
+    return fail(ErrorCode::usage,
+                "node " + std::to_string(node) + " of a scene of " + counted(scene.rig.nodes.size(), "node"));
+  MIRRORBALL_TRY_VOID(checkRig(scene));
+  Scene placed = scene;
+  placed.rig.nodes[node].place = place;
+  MIRRORBALL_TRY_VOID(poseAtRest(placed));
+  scene = std::move(placed);
+  return {};
+}
+
+void addNodes(Scene& scene) {
+  Rig& rig = scene.rig;
+  if (!rig.nodes.empty()) return;
+  const auto add = [&rig](const std::string& name, const glm::mat4& world_from_node) {
+    rig.nodes.push_back({.name = name, .place = {.matrix = glm::dmat4(world_from_node)}});
+    return static_cast<int>(rig.nodes.size()) - 1;
+  };
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    Instance& instance = scene.instances[i];
+    instance.node = add(materialOf(scene, i).name, instance.world_from_object);
+    rig.parts.push_back({.node = instance.node, .mesh = instance.mesh});
+  }
+  for (const ModelCamera& camera : scene.cameras) rig.camera_nodes.push_back(add(camera.name, camera.world_from_view));
+  for (const ModelLight& light : scene.lights) {
+    glm::mat4 world_from_light = facing(light.direction);
+    world_from_light[3] = glm::vec4(light.position, 1.0f);
+    rig.light_nodes.push_back(add(light.name, world_from_light));
+  }
 }
 
 }  // namespace mirrorball

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -35,7 +36,8 @@ std::optional<glm::mat4> rigidPart(const glm::dmat4& world_from_node);
 
 /// A node of a model's tree.
 struct RigNode {
-  int parent = -1;  ///< index of a node before it; −1: none
+  std::string name = {};  ///< as the file has it: several may have the same, or none
+  int parent = -1;        ///< index of a node before it; −1: none
   NodePlace place = {};
   std::vector<float> weights = {};  ///< of the morph targets of its mesh
 };
@@ -55,7 +57,8 @@ struct RigPart {
   bool is_mirrored = false;                                 ///< a deformed mesh's triangles are turned round now
 };
 
-/// What of a model's file moves. A scene with a rig is at rest; pose.h makes scenes of other moments of it.
+/// A model's nodes as a tree, what they show, and what moves them. pose.h puts them elsewhere, and makes scenes of the
+/// moments of its animations.
 struct Rig {
   glm::dmat4 world_from_roots{1.0};
   std::vector<RigNode> nodes = {};

@@ -164,7 +164,7 @@ Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const
   bool disperses = false;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     if (!is_wanted(scene, i)) continue;
-    count += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
+    count += scene.meshes[std::size_t(scene.instances[i].mesh)]->indices.size() / 3;
     disperses = disperses || materialOf(scene, i).dispersion > 0.0f;
   }
   if (count > std::uint64_t{1} << 27)

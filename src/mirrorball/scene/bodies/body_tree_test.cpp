@@ -123,7 +123,7 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
   ASSERT_TRUE(bodyTree(Scene()));
 
   scene.materials[0].thin_walled = false;
-  for (Vertex& vertex : scene.meshes[0].vertices)
+  for (Vertex& vertex : scene.meshes[0].edit().vertices)
     if (vertex.position.y > 0.5f) vertex.position.x = std::numeric_limits<float>::quiet_NaN();
   const auto damaged = bodyTree(scene);
   ASSERT_TRUE(damaged && *damaged);
@@ -141,11 +141,11 @@ Scene withLooks() {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   const auto any = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
   for (Instance& instance : scene.instances)
-    for (std::size_t v = 0; v < scene.meshes[std::size_t(instance.mesh)].vertices.size(); ++v) {
+    for (std::size_t v = 0; v < scene.meshes[std::size_t(instance.mesh)]->vertices.size(); ++v) {
       instance.occlusion.push_back({any(), unit(random), any(), any(), any()});
       instance.vertex_materials.push_back({any(), unit(random), 9.0f * any(), unit(random)});
     }
-  for (std::size_t v = 0; v < scene.meshes[1].vertices.size(); ++v)
+  for (std::size_t v = 0; v < scene.meshes[1]->vertices.size(); ++v)
     scene.instances[1].occlusion.push_back({any(), unit(random), any(), any(), any()});
   return scene;
 }
@@ -216,7 +216,7 @@ TEST(SceneTree, KeepsApartWhatABallDoesNotSeeOfItself) {
   scene.meshes.push_back(knotMesh(60, 12));
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), {1.2f, 0.0f, 0.0f})});
   for (Instance& instance : scene.instances) {
-    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)]->vertices.size();
     instance.occlusion.resize(vertices);
     instance.vertex_materials.resize(vertices);
   }

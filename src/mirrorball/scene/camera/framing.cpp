@@ -12,7 +12,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/scene/mesh_file/positions.h"
 
 namespace mirrorball {
 namespace {
@@ -54,8 +53,10 @@ std::vector<glm::dvec3> groundAround(const Scene& scene, float reach) {
 /// The model as seen along a direction: x to the right, y up, z towards the camera, from the target.
 class View {
  public:
-  View(const Scene& scene, const CameraOptions& options, glm::dvec3 target, FramingOf what)
+  View(const Scene& scene, const CameraOptions& options, glm::dvec3 target, FramingOf what,
+       std::span<const std::vector<PositionRun>> runs)
       : scene_(scene),
+        runs_(runs),
         is_whole_turn_(what == FramingOf::whole_turn),
         sine_(std::sin(glm::radians(double(options.elevation_deg)))),
         cosine_(std::cos(glm::radians(double(options.elevation_deg)))) {
@@ -79,7 +80,10 @@ class View {
       else
         takePoint(axis, across, slope, p, sides);
     };
-    forEachPosition(scene_, turned_, take);
+    if (is_whole_turn_ || runs_.empty())
+      forEachPosition(scene_, turned_, take);
+    else
+      takeRuns(axis, across, slope, sides);
     for (const glm::dvec3& place : ground_) take(glm::dvec3(turned_ * glm::dvec4(place, 1.0)));
     return sides;
   }
@@ -109,6 +113,36 @@ class View {
     sides.minus.take(slope * z - aside, z);
   }
 
+  /// Those points that may be farther than those before.
+  void takeRuns(int axis, double across, double slope, Sides& sides) const {
+    const glm::dvec3 towards(0.0, sine_, cosine_);
+    const glm::dvec3 aside = axis == 0 ? glm::dvec3(1, 0, 0) : glm::dvec3(0.0, cosine_, -sine_);
+    for (const Instance& instance : scene_.instances) {
+      const glm::dmat4 seen_from_object = turned_ * glm::dmat4(instance.world_from_object);
+      const std::vector<Vertex>& vertices = scene_.meshes[std::size_t(instance.mesh)]->vertices;
+      for (const PositionRun& run : runs_[std::size_t(instance.mesh)]) {
+        const bool is_nearer =
+            reachOf(run.box, seen_from_object, slope * towards + across * aside) < sides.plus.value &&
+            reachOf(run.box, seen_from_object, slope * towards - across * aside) < sides.minus.value;
+        if (is_nearer) continue;
+        for (const Vertex& vertex : std::span(vertices).subspan(run.first, run.count))
+          takePoint(axis, across, slope, glm::dvec3(seen_from_object * glm::dvec4(glm::dvec3(vertex.position), 1.0)),
+                    sides);
+      }
+    }
+  }
+
+  /// What a linear function is at most in a box, and a little more than rounding can add.
+  static double reachOf(const Box& box, const glm::dmat4& seen_from_object, glm::dvec3 function) {
+    const glm::dvec3 middle = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high));
+    const glm::dvec3 half = 0.5 * (glm::dvec3(box.high) - glm::dvec3(box.low));
+    const double at_middle = glm::dot(function, glm::dvec3(seen_from_object * glm::dvec4(middle, 1.0)));
+    double reach = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+      reach += std::abs(glm::dot(function, glm::dvec3(seen_from_object[axis]))) * half[axis];
+    return at_middle + reach + 1e-9 * (std::abs(at_middle) + reach);
+  }
+
   /// The circle of a radius and a height, whose point at an angle a is x = ρ sin a, y = h cos e − ρ cos a sin e,
   /// z = h sin e + ρ cos a cos e: a function A cos a + B sin a is √(A² + B²) at most.
   void takeCircle(int axis, double across, double slope, double radius, double height, Sides& sides) const {
@@ -125,6 +159,7 @@ class View {
   }
 
   const Scene& scene_;
+  std::span<const std::vector<PositionRun>> runs_;
   bool is_whole_turn_;
   double sine_;
   double cosine_;
@@ -183,14 +218,14 @@ glm::dvec2 borderSlopes(const CameraOptions& options, double aspect) {
 }  // namespace
 
 CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, float aspect,
-                     FramingOf what) {
+                     FramingOf what, std::span<const std::vector<PositionRun>> runs) {
   const bool is_parallel = options.orthographic_height.has_value();
   if (is_parallel ? *options.orthographic_height > 0.0f : options.distance.has_value()) return options;
   if (scene.empty()) return options;
 
   const glm::dvec3 target(options.target.value_or(bounds.center));
   const double radius = bounds.radius;
-  const View view(scene, options, target, what);
+  const View view(scene, options, target, what, runs);
   CameraOptions chosen = options;
   glm::dvec3 camera(0.0);
   const bool is_free = !options.target.has_value();
@@ -219,13 +254,14 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
 }
 
 Result<Camera> framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options,
-                            glm::ivec2 size) {
+                            glm::ivec2 size, std::span<const std::vector<PositionRun>> runs) {
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   if (!options.name.empty()) {
     MIRRORBALL_TRY(own, cameraNamed(scene, options.name));
     return withinReach(cameraOf(*own, bounds, aspect), scene, bounds);
   }
-  return withinReach(makeCamera(framed(scene, bounds, options, aspect), bounds, aspect), scene, bounds);
+  return withinReach(makeCamera(framed(scene, bounds, options, aspect, FramingOf::still, runs), bounds, aspect), scene,
+                     bounds);
 }
 
 }  // namespace mirrorball

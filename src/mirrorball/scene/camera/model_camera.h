@@ -15,6 +15,8 @@ struct ModelCamera {
   float height = 2.0f;   ///< of what a parallel projection shows, in world units; > 0
   float aspect = 0.0f;   ///< width over height of what it is made for; 0: of any picture
   float nearest = 0.0f;  ///< depth from which it sees, in world units
+
+  bool operator==(const ModelCamera&) const = default;
 };
 
 }  // namespace mirrorball

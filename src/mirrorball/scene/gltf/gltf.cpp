@@ -76,7 +76,6 @@ class SceneBuilder {
     MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_));
     MIRRORBALL_TRY_VOID(readAnimations(file_, ofFile()));
     MIRRORBALL_TRY_VOID(poseAtRest(scene_));
-    if (scene_.rig.animations.empty()) scene_.rig = {};
     if (scene_.instances.empty()) return fail(ErrorCode::bad_file, "its scene shows no triangles");
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
     return std::move(scene_);
@@ -102,7 +101,7 @@ class SceneBuilder {
     for (const ListedNode& each : listed) {
       const Node& node = document_.nodes[std::size_t(each.node)];
       const std::string key = quoted("nodes", std::size_t(each.node));
-      scene_.rig.nodes.push_back({each.parent, node.place});
+      scene_.rig.nodes.push_back({.name = node.name, .parent = each.parent, .place = node.place});
       worlds.push_back((each.parent < 0 ? glm::dmat4(1.0) : worlds[std::size_t(each.parent)]) *
                        parentFromNode(node.place));
       if (!isWithinFloats(worlds.back())) return fail(ErrorCode::bad_file, key + " has a transform that is too large");

@@ -47,11 +47,37 @@ TEST(GltfAnimation, MovesNodesAndWhatHangsOnThem) {
   EXPECT_TRUE(decodedPose(rest, 1.0).rig.animations.empty()) << "a moment has no other moments";
 }
 
-TEST(GltfAnimation, AFileWithoutAnimationsKeepsNoRig) {
+TEST(GltfAnimation, NodesAreATreeThatCanBeMovedByHand) {
   TriangleFile file;
-  const Scene scene = decodedScene(file.json(R"("nodes":[{"mesh":0,"scale":[-1,1,1]}])"));
-  EXPECT_TRUE(scene.rig.nodes.empty());
-  EXPECT_TRUE(scene.rig.parts.empty());
+  Scene scene = decodedScene(
+      file.json(R"("nodes":[{"name":"arm","children":[1,2]},{"mesh":0,"name":"hand"},{"mesh":0,"scale":[-1,1,1]}])"));
+  ASSERT_EQ(scene.rig.nodes.size(), 3u);
+  EXPECT_EQ(scene.rig.nodes[0].name, "arm");
+  EXPECT_EQ(scene.rig.nodes[1].name, "hand");
+  EXPECT_EQ(scene.rig.nodes[1].parent, 0);
+  EXPECT_EQ(scene.instances[1].node, 2);
+  const std::size_t meshes = scene.meshes.size();
+  ASSERT_TRUE(placeNode(scene, 0, {.translation = {0, 7, 0}}));
+  expectPlace(placeOf(scene, 0, 1), {1, 7, 0});
+  expectPlace(placeOf(scene, 1, 1), {-1, 7, 0});
+  expectOutside(scene);
+  EXPECT_EQ(scene.meshes.size(), meshes) << "the mirror image is there already";
+  const auto failed = placeNode(scene, 1, {.scale = glm::dvec3(1e40)});
+  ASSERT_FALSE(failed);
+  expectPlace(placeOf(scene, 0, 1), {1, 7, 0});
+}
+
+// What an animation shows at a time can be moved on from there.
+TEST(GltfAnimation, AMomentHasItsNodesWhereTheyAreThen) {
+  TriangleFile file;
+  AnimationMaker walk(file.maker);
+  walk.move(R"("node":0,"path":"translation")", {0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3");
+  const Scene rest =
+      decodedScene(file.json(R"("nodes":[{"children":[1]},{"mesh":0}],"animations":[)" + walk.json() + "]"));
+  Scene moment = decodedPose(rest, 1.0);
+  EXPECT_EQ(moment.rig.nodes.at(0).place.translation, glm::dvec3(2, 0, 0));
+  ASSERT_TRUE(placeNode(moment, 1, {.translation = {0, 0, 1}}));
+  expectPlace(placeOf(moment, 0, 0), {2, 0, 1});
 }
 
 TEST(GltfAnimation, StandsUprightAtAnyTime) {
@@ -101,8 +127,8 @@ TEST(GltfAnimation, AScaleOfNothingHidesAndBelowItMirrors) {
   ASSERT_EQ(mirrored.instances.size(), 2u);
   EXPECT_NE(mirrored.instances[0].mesh, mirrored.instances[1].mesh);
   expectOutside(mirrored);
-  EXPECT_EQ(mirrored.meshes[std::size_t(mirrored.instances[0].mesh)].vertices[0].tangent.w,
-            -mirrored.meshes[std::size_t(mirrored.instances[1].mesh)].vertices[0].tangent.w);
+  EXPECT_EQ(mirrored.meshes[std::size_t(mirrored.instances[0].mesh)]->vertices[0].tangent.w,
+            -mirrored.meshes[std::size_t(mirrored.instances[1].mesh)]->vertices[0].tangent.w);
 }
 
 TEST(GltfAnimation, AllPosesTogetherAreSeenAtOnce) {
@@ -123,7 +149,7 @@ TEST(GltfAnimation, AChangedSceneIsNotPosed) {
   AnimationMaker walk(file.maker);
   walk.move(R"("node":0,"path":"weights")", {0}, {1}, "SCALAR");
   Scene rest = decodedScene(file.json(R"("animations":[)" + walk.json() + "]", file.targets(file.raised(1))));
-  rest.meshes[0].vertices.emplace_back();
+  rest.meshes[0].edit().vertices.emplace_back();
   const Result<Scene> refused = posed(rest, 0, 0.0);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::bad_shape);
@@ -158,7 +184,7 @@ TEST(GltfMorph, WeightsCountAtRest) {
   expectPlace(placeOf(of_node, 0, 2), {0, 1, 3});
   expectPlace(placeOf(of_node, 1, 2), {0, 1, 0});
   expectPlace(placeOf(of_node, 2, 2), {0, 1, -1});
-  EXPECT_TRUE(of_node.rig.nodes.empty());
+  EXPECT_EQ(of_node.rig.nodes.at(2).weights, std::vector<float>{-1.0f});
   EXPECT_EQ(decodedScene(file.json("", targets)).meshes.size(), 1u);
 }
 
@@ -167,7 +193,7 @@ TEST(GltfMorph, TurnsNormalsAndTangents) {
   const int turned = file.maker.accessor(std::vector<float>{0, 1, -1, 0, 1, -1, 0, 1, -1}, "VEC3");
   const Scene scene =
       decodedScene(file.json(R"("nodes":[{"mesh":0,"weights":[1]}])", "{\"NORMAL\":" + std::to_string(turned) + "}"));
-  for (const Vertex& vertex : scene.meshes.at(0).vertices) {
+  for (const Vertex& vertex : scene.meshes.at(0)->vertices) {
     expectPlace(vertex.normal, {0, 1, 0});
     EXPECT_NEAR(glm::dot(vertex.normal, glm::vec3(vertex.tangent)), 0.0f, 1e-6f);
     EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1.0f, 1e-6f);
@@ -179,7 +205,7 @@ TEST(GltfMorph, AFlatMeshStaysFlat) {
   file.has_normals = false;
   // The third corner goes up until the triangle stands: (1,0,0) × (0,1,2).
   const Scene scene = decodedScene(file.json(R"("nodes":[{"mesh":0,"weights":[2]}])", file.targets(file.raised(2))));
-  for (const Vertex& vertex : scene.meshes.at(0).vertices)
+  for (const Vertex& vertex : scene.meshes.at(0)->vertices)
     expectPlace(vertex.normal, glm::normalize(glm::vec3(0, -2, 1)));
   // What is bent to a line has no normal, and keeps one.
   const int onto_x = file.maker.accessor(std::vector<float>{0, 0, 0, 0, 0, 0, 1, -1, 0}, "VEC3");
@@ -199,7 +225,7 @@ TEST(GltfMorph, VerticesThatTangentsSplitMoveTogether) {
   const Scene scene = decodedScene(
       maker.gltf(R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":3,"targets":[{"POSITION":4}]})",
                  R"("nodes":[{"mesh":0,"weights":[1]}])"));
-  const std::vector<Vertex>& vertices = scene.meshes.at(0).vertices;
+  const std::vector<Vertex>& vertices = scene.meshes.at(0)->vertices;
   ASSERT_EQ(vertices.size(), 8u);
   for (const Vertex& vertex : vertices) EXPECT_EQ(vertex.position.z, vertex.position.x == 0.0f ? 3.0f : 0.0f);
 }
@@ -212,12 +238,12 @@ TEST(GltfMorph, TheMirrorImageMorphsToo) {
   const Scene rest = decodedScene(file.json(
       R"("nodes":[{"mesh":0,"scale":[-1,1,1]}],"animations":[)" + walk.json() + "]", file.targets(file.raised(2))));
   expectOutside(rest);
-  const float rest_w = rest.meshes.at(0).vertices.at(0).tangent.w;
+  const float rest_w = rest.meshes.at(0)->vertices.at(0).tangent.w;
   const Scene begin = decodedPose(rest, 0.0), end = decodedPose(rest, 1.0);
   expectOutside(begin);
   expectOutside(end);
-  EXPECT_EQ(begin.meshes.at(0).vertices.at(0).tangent.w, -rest_w);
-  EXPECT_EQ(end.meshes.at(0).vertices.at(0).tangent.w, rest_w);
+  EXPECT_EQ(begin.meshes.at(0)->vertices.at(0).tangent.w, -rest_w);
+  EXPECT_EQ(end.meshes.at(0)->vertices.at(0).tangent.w, rest_w);
 }
 
 // --- JSON pointers

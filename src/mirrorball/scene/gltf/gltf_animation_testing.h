@@ -64,7 +64,7 @@ inline Scene decodedPose(const Scene& rest, double seconds) {
 /// Where a vertex of an instance is in the world.
 inline glm::vec3 placeOf(const Scene& scene, std::size_t instance, std::size_t vertex) {
   const Instance& of = scene.instances.at(instance);
-  return of.world_from_object * glm::vec4(scene.meshes.at(std::size_t(of.mesh)).vertices.at(vertex).position, 1.0f);
+  return of.world_from_object * glm::vec4(scene.meshes.at(std::size_t(of.mesh))->vertices.at(vertex).position, 1.0f);
 }
 
 inline void expectPlace(glm::vec3 is, glm::vec3 wanted) {

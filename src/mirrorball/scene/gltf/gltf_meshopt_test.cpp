@@ -130,7 +130,7 @@ TEST(GltfMeshopt, ReadsAnimationsAndSkins) {
   ASSERT_TRUE(rest) << rest.error().message;
   const Result<Scene> half = posed(*rest, 0, 0.5);
   ASSERT_TRUE(half) << half.error().message;
-  const glm::vec3 place = half->meshes.at(0).vertices.at(1).position;
+  const glm::vec3 place = half->meshes.at(0)->vertices.at(1).position;
   EXPECT_THAT((std::vector{place.x, place.y, place.z}), ElementsAre(2.0f, 2.0f, 3.0f));
 }
 
@@ -174,7 +174,7 @@ TEST(GltfMeshopt, FiltersNormalsAndNumbers) {
   json.replace(json.find(length), length.size(), length + R"("byteStride":4,)");
   const Result<Scene> scene = decodeModel(json);
   ASSERT_TRUE(scene) << scene.error().message;
-  const std::vector<Vertex>& vertices = scene->meshes.at(0).vertices;
+  const std::vector<Vertex>& vertices = scene->meshes.at(0)->vertices;
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_LT(glm::distance(vertices[i].position, glm::vec3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2])),
               1e-5f);

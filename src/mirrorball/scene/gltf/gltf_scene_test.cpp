@@ -63,7 +63,7 @@ std::string mappings(const std::string& list) {
 }
 
 std::string nameOfMaterial(const Scene& scene) {
-  return scene.materials.at(std::size_t(scene.meshes.at(0).material)).name;
+  return scene.materials.at(std::size_t(scene.meshes.at(0)->material)).name;
 }
 
 TEST(GltfVariants, GiveAPrimitiveOtherMaterials) {

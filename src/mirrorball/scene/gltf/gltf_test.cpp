@@ -45,8 +45,8 @@ TEST(Gltf, ReadsBothContainers) {
   ASSERT_TRUE(from_binary) << from_binary.error().message;
   for (const Scene* scene : {&from_text, &*from_binary}) {
     ASSERT_EQ(scene->meshes.size(), 1u);
-    ASSERT_EQ(scene->meshes[0].indices.size(), 3u);
-    EXPECT_EQ(scene->meshes[0].vertices[scene->meshes[0].indices[0]].position, glm::vec3(0, 1, 0));
+    ASSERT_EQ(scene->meshes[0]->indices.size(), 3u);
+    EXPECT_EQ(scene->meshes[0]->vertices[scene->meshes[0]->indices[0]].position, glm::vec3(0, 1, 0));
   }
 }
 
@@ -71,8 +71,8 @@ TEST(Gltf, ReadsTheIndicesOfEveryType) {
     if (type == 1) maker.accessor(std::vector<std::uint16_t>{1, 2, 0}, "SCALAR");
     if (type == 2) maker.accessor(std::vector<std::uint32_t>{1, 2, 0}, "SCALAR");
     const Scene scene = decoded(maker.gltf(primitive(",\"NORMAL\":1", ",\"indices\":2")));
-    EXPECT_THAT(scene.meshes.at(0).indices, ElementsAre(1, 2, 0));
-    EXPECT_EQ(scene.meshes[0].vertices[0].normal, glm::vec3(0, 0, 1));  // made unit
+    EXPECT_THAT(scene.meshes.at(0)->indices, ElementsAre(1, 2, 0));
+    EXPECT_EQ(scene.meshes[0]->vertices[0].normal, glm::vec3(0, 0, 1));  // made unit
   }
 }
 
@@ -81,7 +81,7 @@ TEST(Gltf, TurnsStripsAndFansIntoTriangles) {
   maker.accessor(kSquare, "VEC3");
   maker.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
   const auto indices = [&](int mode) {
-    return decoded(maker.gltf(primitive(",\"NORMAL\":1", ",\"mode\":" + std::to_string(mode)))).meshes.at(0).indices;
+    return decoded(maker.gltf(primitive(",\"NORMAL\":1", ",\"mode\":" + std::to_string(mode)))).meshes.at(0)->indices;
   };
   EXPECT_THAT(indices(4), ElementsAre(0, 1, 2));
   EXPECT_THAT(indices(5), ElementsAre(0, 1, 2, 1, 3, 2));
@@ -124,8 +124,8 @@ TEST(Gltf, PutsSparseValuesIn) {
       std::to_string(places) + ",\"componentType\":5121},\"values\":{\"bufferView\":" + std::to_string(values) + "}}}";
   maker.rawAccessor("{\"bufferView\":" + std::to_string(dense) + sparse);
   const Scene scene = decoded(maker.gltf(primitive()));
-  EXPECT_EQ(scene.meshes.at(0).vertices.at(1).position, glm::vec3(1, 0, 0));
-  EXPECT_EQ(scene.meshes[0].vertices.at(2).position, glm::vec3(5, 6, 7));
+  EXPECT_EQ(scene.meshes.at(0)->vertices.at(1).position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(scene.meshes[0]->vertices.at(2).position, glm::vec3(5, 6, 7));
 
   GltfMaker zeros;  // the same without dense values: all else is 0
   zeros.accessor(kTriangle, "VEC3");
@@ -135,8 +135,8 @@ TEST(Gltf, PutsSparseValuesIn) {
       "{\"componentType\":5126,\"count\":3,\"type\":\"VEC2\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,"
       "\"componentType\":5121},\"values\":{\"bufferView\":2}}}");
   const Scene sparse_uv = decoded(zeros.gltf(primitive(",\"TEXCOORD_0\":1")));
-  EXPECT_EQ(sparse_uv.meshes.at(0).vertices.at(0).uv[0], glm::vec2(0));
-  EXPECT_EQ(sparse_uv.meshes[0].vertices.at(2).uv[0], glm::vec2(0.25f, 0.5f));
+  EXPECT_EQ(sparse_uv.meshes.at(0)->vertices.at(0).uv[0], glm::vec2(0));
+  EXPECT_EQ(sparse_uv.meshes[0]->vertices.at(2).uv[0], glm::vec2(0.25f, 0.5f));
 }
 
 TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
@@ -147,7 +147,7 @@ TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
   maker.accessor(std::vector<std::uint16_t>{65535, 0, 0, 0, 0, 0}, "VEC2", ",\"normalized\":true");
   maker.accessor(std::vector<float>{0, 0, 0, 0, 0.5f, 0.75f}, "VEC2");
   const Scene scene = decoded(maker.gltf(primitive(",\"COLOR_0\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":3")));
-  const std::vector<Vertex>& vertices = scene.meshes.at(0).vertices;
+  const std::vector<Vertex>& vertices = scene.meshes.at(0)->vertices;
   EXPECT_EQ(vertices[0].color, glm::vec4(1.0f, 0.0f, 0.2f, 0.4f));
   EXPECT_EQ(vertices[0].uv[0], glm::vec2(1, 0));
   EXPECT_EQ(vertices[2].uv[1], glm::vec2(0.5f, 0.75f));
@@ -155,7 +155,7 @@ TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
   GltfMaker three;
   three.accessor(kTriangle, "VEC3");
   three.accessor(std::vector<float>{0.5f, 0.25f, 2, 0, 0, 0, 0, 0, 0}, "VEC3");
-  EXPECT_EQ(decoded(three.gltf(primitive(",\"COLOR_0\":1"))).meshes.at(0).vertices[0].color,
+  EXPECT_EQ(decoded(three.gltf(primitive(",\"COLOR_0\":1"))).meshes.at(0)->vertices[0].color,
             glm::vec4(0.5f, 0.25f, 2, 1));
 }
 
@@ -163,8 +163,8 @@ TEST(Gltf, ReadsQuantizedPositions) {
   GltfMaker maker;
   maker.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 0, -32768, 0}, "VEC3", ",\"normalized\":true");
   const Scene scene = decoded(maker.gltf(primitive(), "\"extensionsRequired\":[\"KHR_mesh_quantization\"]"));
-  EXPECT_EQ(scene.meshes.at(0).vertices[1].position, glm::vec3(1, 0, 0));
-  EXPECT_EQ(scene.meshes[0].vertices[2].position, glm::vec3(0, -1, 0));
+  EXPECT_EQ(scene.meshes.at(0)->vertices[1].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(scene.meshes[0]->vertices[2].position, glm::vec3(0, -1, 0));
 }
 
 // Positions and texture coordinates as whole numbers, which the node and the texture's transform scale back.
@@ -177,7 +177,7 @@ TEST(Gltf, ReadsEveryQuantizedAttribute) {
   maker.accessor(std::vector<std::int16_t>{0, 0, 4096, 0, 0, -2048}, "VEC2");
   const Scene scene = decoded(maker.gltf(primitive(",\"NORMAL\":1,\"TANGENT\":2,\"TEXCOORD_0\":3"),
                                          R"("extensionsRequired":["KHR_mesh_quantization"])"));
-  const std::vector<Vertex>& vertices = scene.meshes.at(0).vertices;
+  const std::vector<Vertex>& vertices = scene.meshes.at(0)->vertices;
   EXPECT_EQ(vertices[1].position, glm::vec3(1000, 0, 0));
   EXPECT_EQ(vertices[2].normal, glm::vec3(0, 1, 0));
   EXPECT_EQ(vertices[0].tangent, glm::vec4(1, 0, 0, -1));
@@ -434,7 +434,7 @@ TEST(Gltf, ComputesTangentsAlongTheNormalMapsCoordinates) {
                               "{\"normalTexture\":{\"index\":0,\"texCoord\":" +
                                   std::to_string(set) + "}}]"))
         .meshes.at(0)
-        .vertices.at(0)
+        ->vertices.at(0)
         .tangent;
   };
   EXPECT_EQ(tangent(0), glm::vec4(1, 0, 0, 1));

@@ -60,16 +60,16 @@ Image8 picture(int width, int height, std::uint8_t first) {
 
 TEST(GltfWriter, MeshesComeBackBitByBit) {
   Scene scene = sceneOf(knotMesh());
-  Vertex& vertex = scene.meshes[0].vertices[7];
+  Vertex& vertex = scene.meshes[0].edit().vertices[7];
   vertex.color = {0.25f, 0.5f, 0.75f, 0.125f};
   vertex.uv[1] = {0.3f, -2.7f};
   const Scene found = roundTrip(scene);
   ASSERT_EQ(found.meshes.size(), 1u);
-  EXPECT_EQ(found.meshes[0].indices, scene.meshes[0].indices);
-  ASSERT_EQ(found.meshes[0].vertices.size(), scene.meshes[0].vertices.size());
-  for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
-    const Vertex& a = scene.meshes[0].vertices[i];
-    const Vertex& b = found.meshes[0].vertices[i];
+  EXPECT_EQ(found.meshes[0]->indices, scene.meshes[0]->indices);
+  ASSERT_EQ(found.meshes[0]->vertices.size(), scene.meshes[0]->vertices.size());
+  for (std::size_t i = 0; i < scene.meshes[0]->vertices.size(); ++i) {
+    const Vertex& a = scene.meshes[0]->vertices[i];
+    const Vertex& b = found.meshes[0]->vertices[i];
     ASSERT_EQ(a.position, b.position);
     ASSERT_LT(glm::distance(a.normal, b.normal), 1e-6f);
     ASSERT_LT(glm::distance(a.tangent, b.tangent), 1e-6f);
@@ -89,7 +89,7 @@ TEST(GltfWriter, InstancesKeepTheirPlacesAndShareTheirMesh) {
   for (const Instance& wanted : twice.instances)
     EXPECT_TRUE(std::ranges::any_of(found.instances, [&](const Instance& instance) {
       return instance.world_from_object == wanted.world_from_object &&
-             found.meshes[std::size_t(instance.mesh)].indices == twice.meshes[std::size_t(wanted.mesh)].indices;
+             found.meshes[std::size_t(instance.mesh)]->indices == twice.meshes[std::size_t(wanted.mesh)]->indices;
     }));
 }
 
@@ -222,7 +222,7 @@ TEST(GltfWriter, WhatGltfHasNotIsToldAndApproximated) {
   orange.name = "peel";
   Scene scene = sceneOf(sphereMesh(), gold);
   scene.meshes.push_back(sphereMesh());
-  scene.meshes[1].material = 1;
+  scene.meshes[1].edit().material = 1;
   scene.materials.push_back(orange);
   glm::mat4 sheared(1.0f);
   sheared[1][0] = 0.5f;
@@ -245,7 +245,7 @@ TEST(GltfWriter, MapsThatGltfHasNotAreLeftOutAndTold) {
   material.slope_texture = 0;
   Scene scene = sceneOf(planeMesh(), material);
   scene.textures.push_back({.image = picture(2, 2, 0)});
-  scene.slope_textures.emplace_back(1, 1, 3);
+  scene.slope_textures.push_back(Image(1, 1, 3));
   const EncodedScene file = encoded(scene);
   EXPECT_THAT(file.left_out, ElementsAre(AllOf(HasSubstr("normal_map"), HasSubstr("derivative_map"))));
   EXPECT_EQ(decodedFile(file).materials.at(0).normal_map.texture, -1);

@@ -29,6 +29,8 @@ struct TextureSlot {
   glm::vec2 offset{0.0f};
   glm::vec2 scale{1.0f};
   float rotation_rad = 0.0f;  ///< counter-clockwise, as KHR_texture_transform says
+
+  bool operator==(const TextureSlot&) const = default;
 };
 
 /// KHR_texture_transform without its offset: texture coordinates are scaled, then turned.

@@ -52,7 +52,8 @@ void replaceMaterials(Scene& scene, const Material& material) {
   for (Animation& animation : scene.rig.animations)
     std::erase_if(animation.channels, [](const AnimationChannel& each) { return movesMaterial(each.target); });
   scene.variants.clear();
-  for (Mesh& mesh : scene.meshes) {
+  for (Shared<Mesh>& shared : scene.meshes) {
+    Mesh& mesh = shared.edit();
     mesh.material = 0;
     mesh.material_of_variant.clear();
     for (Vertex& vertex : mesh.vertices) vertex.color = glm::vec4(1.0f);

@@ -79,7 +79,7 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
                              " has heights outside of 0 to 1; its lowest is taken as 0, its highest as 1");
   if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back("height: the model has no texture coordinates; all of it has one height of " + path);
-  scene.height_textures.push_back({.heights = std::move(of_picture.heights)});
+  scene.height_textures.push_back(HeightTexture{.heights = std::move(of_picture.heights)});
   scene.files.push_back(path);
   const HeightSize own = ownSize(HeightKind::map);
   for (Material& material : scene.materials) {

@@ -118,7 +118,7 @@ TEST(SetParameter, SaysWhatIsWrong) {
   EXPECT_THAT(setParameter(scene, "base_color_map").error().message, HasSubstr("base_color_map=FILE"));
   EXPECT_THAT(setParameter(scene, "base_color_map=none.png").error().message, HasSubstr("none.png"));
   EXPECT_THAT(setParameter(scene, "base_colour_map=x.png").error().message, HasSubstr("base_color_map"));
-  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+  for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] = glm::vec2(0.0f);
   ASSERT_TRUE(setParameter(scene, "normal_map=" + onePixel()));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("no texture coordinates")));
 }

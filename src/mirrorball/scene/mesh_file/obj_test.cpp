@@ -59,8 +59,8 @@ TEST(Obj, SharesVerticesAndTurnsV) {
 TEST(Obj, CountsBackwardsAndForwards) {
   const Result<Scene> scene = decodeObjText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\n");
   ASSERT_TRUE(scene) << scene.error().message;
-  EXPECT_EQ(scene->meshes.at(0).indices.size(), 6u);
-  EXPECT_EQ(scene->meshes[0].vertices.back().position, glm::vec3(0, 0, 1));
+  EXPECT_EQ(scene->meshes.at(0)->indices.size(), 6u);
+  EXPECT_EQ(scene->meshes[0]->vertices.back().position, glm::vec3(0, 0, 1));
 }
 
 TEST(Obj, SmoothsAcrossSeamsOfTheTextureCoordinates) {
@@ -108,34 +108,34 @@ std::string ballText(std::string_view before) {
 /// The mean cosine between the normals of a model's vertices and the way from `center` to them.
 float roundness(const Scene& scene, glm::vec3 center) {
   float sum = 0.0f;
-  for (const Vertex& vertex : scene.meshes.at(0).vertices)
+  for (const Vertex& vertex : scene.meshes.at(0)->vertices)
     sum += glm::dot(vertex.normal, glm::normalize(vertex.position - center));
-  return sum / static_cast<float>(scene.meshes[0].vertices.size());
+  return sum / static_cast<float>(scene.meshes[0]->vertices.size());
 }
 
 TEST(Obj, WithoutNormalsABoxIsSharpAndABallIsSmooth) {
   const Scene box = *decodeObjText(boxText(""));
-  EXPECT_EQ(box.meshes.at(0).vertices.size(), 24u);
-  for (const Vertex& vertex : box.meshes[0].vertices)
+  EXPECT_EQ(box.meshes.at(0)->vertices.size(), 24u);
+  for (const Vertex& vertex : box.meshes[0]->vertices)
     EXPECT_EQ(std::max({std::abs(vertex.normal.x), std::abs(vertex.normal.y), std::abs(vertex.normal.z)}), 1.0f);
   const Scene ball = *decodeObjText(ballText(""));
-  EXPECT_EQ(ball.meshes.at(0).vertices.size(), 11u * 24u + 2u);
+  EXPECT_EQ(ball.meshes.at(0)->vertices.size(), 11u * 24u + 2u);
   EXPECT_GT(roundness(ball, glm::vec3(0.0f)), 0.9999f);
 }
 
 TEST(Obj, SmoothingGroupsSayWhatIsSmooth) {
-  EXPECT_EQ(decodeObjText(boxText("s 7\n"))->meshes.at(0).vertices.size(), 8u) << "one group";
+  EXPECT_EQ(decodeObjText(boxText("s 7\n"))->meshes.at(0)->vertices.size(), 8u) << "one group";
   EXPECT_GT(roundness(*decodeObjText(boxText(" s\t7 \r\n")), glm::vec3(0.5f)), 0.999f);
-  EXPECT_EQ(decodeObjText("s 1\n" + boxText("s off\n"))->meshes.at(0).vertices.size(), 24u);
+  EXPECT_EQ(decodeObjText("s 1\n" + boxText("s off\n"))->meshes.at(0)->vertices.size(), 24u);
   const std::size_t triangles = 24u * 22u;
-  EXPECT_EQ(decodeObjText(ballText("s off\n"))->meshes.at(0).vertices.size(), 3u * triangles);
-  EXPECT_EQ(decodeObjText(ballText("s 0\n"))->meshes.at(0).vertices.size(), 3u * triangles);
-  EXPECT_EQ(decodeObjText(ballText("s 2\n"))->meshes.at(0).vertices.size(), 11u * 24u + 2u);
+  EXPECT_EQ(decodeObjText(ballText("s off\n"))->meshes.at(0)->vertices.size(), 3u * triangles);
+  EXPECT_EQ(decodeObjText(ballText("s 0\n"))->meshes.at(0)->vertices.size(), 3u * triangles);
+  EXPECT_EQ(decodeObjText(ballText("s 2\n"))->meshes.at(0)->vertices.size(), 11u * 24u + 2u);
   // The four sides of the box are one group, top and bottom have others; before the first `s` all is off.
   std::string groups = boxText("");
   groups.insert(groups.find("f 1 2 6 5"), "s 3\n");
   const Scene tube = *decodeObjText(groups);
-  EXPECT_EQ(tube.meshes.at(0).vertices.size(), 4u + 4u + 8u);
+  EXPECT_EQ(tube.meshes.at(0)->vertices.size(), 4u + 4u + 8u);
 }
 
 TEST(Obj, ReadsMaterialsAndTheirPictures) {

@@ -76,7 +76,7 @@ TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
                "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
                "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
   ASSERT_TRUE(scene) << scene.error().message;
-  const Vertex& vertex = scene->meshes.at(0).vertices.at(0);
+  const Vertex& vertex = scene->meshes.at(0)->vertices.at(0);
   EXPECT_EQ(vertex.position, glm::vec3(1, 0, 0));
   EXPECT_EQ(vertex.uv[0], glm::vec2(0.25f, 0.25f));
   EXPECT_EQ(vertex.color.r, 1.0f);
@@ -107,8 +107,8 @@ TEST(Ply, WithoutNormalsABoxIsSharpAndARoundedEdgeIsSmooth) {
                "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
                "-1 0 0\n0 0 0.2\n0 1 0.2\n-1 1 0\n1 0 0\n1 1 0\n4 0 1 2 3\n4 1 4 5 2\n"));
   ASSERT_TRUE(roof) << roof.error().message;
-  EXPECT_EQ(roof->meshes.at(0).vertices.size(), 6u);
-  for (const Vertex& vertex : roof->meshes.at(0).vertices)
+  EXPECT_EQ(roof->meshes.at(0)->vertices.size(), 6u);
+  for (const Vertex& vertex : roof->meshes.at(0)->vertices)
     if (vertex.position.x == 0.0f) {
       EXPECT_NEAR(vertex.normal.z, 1.0f, 1e-6f) << "the mean of both sides";
     }
@@ -178,7 +178,7 @@ TEST(Ply, SurvivesRandomDamage) {
       damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
     const Result<Scene> scene = decodePlyText(damaged);
     if (!scene) continue;
-    for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
+    for (const std::uint32_t index : scene->meshes.at(0)->indices) ASSERT_LT(index, scene->meshes[0]->vertices.size());
   }
 }
 

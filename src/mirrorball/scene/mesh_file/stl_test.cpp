@@ -58,9 +58,9 @@ TEST(Stl, TellsBinaryBySize) {
 TEST(Stl, ReadsAscii) {
   const Result<Scene> scene = decodeStl(stlBytes(kAscii));
   ASSERT_TRUE(scene) << scene.error().message;
-  ASSERT_EQ(scene->meshes.at(0).vertices.size(), 3u);
-  EXPECT_EQ(scene->meshes[0].vertices[1].position, glm::vec3(1, 0, 0));
-  EXPECT_EQ(scene->meshes[0].vertices[1].normal, glm::vec3(0, 0, 1));
+  ASSERT_EQ(scene->meshes.at(0)->vertices.size(), 3u);
+  EXPECT_EQ(scene->meshes[0]->vertices[1].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(scene->meshes[0]->vertices[1].normal, glm::vec3(0, 0, 1));
 }
 
 TEST(Stl, LeavesOutFacetsWithoutArea) {
@@ -68,7 +68,7 @@ TEST(Stl, LeavesOutFacetsWithoutArea) {
   std::memset(bytes.data() + 84 + 12, 0, 36);
   const Result<Scene> scene = decodeStl(bytes);
   ASSERT_TRUE(scene);
-  EXPECT_EQ(scene->meshes.at(0).indices.size(), 3u);
+  EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
   std::memset(bytes.data() + 84 + 50 + 12, 0, 36);
   expectStlRefused(bytes, "no facet with an area");
 }
@@ -107,7 +107,8 @@ TEST(Stl, SurvivesRandomDamage) {
         damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
       const Result<Scene> scene = decodeStl(damaged);
       if (!scene) continue;
-      for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
+      for (const std::uint32_t index : scene->meshes.at(0)->indices)
+        ASSERT_LT(index, scene->meshes[0]->vertices.size());
     }
   }
 }

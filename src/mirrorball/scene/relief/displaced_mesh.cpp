@@ -211,7 +211,7 @@ const HeightTexture* heightsOf(const Scene& scene, const Mesh& mesh) {
   const Material& material = scene.materials[std::size_t(mesh.material)];
   if (material.height == HeightKind::none || material.height_texture < 0 || !hasTextureCoordinates(mesh))
     return nullptr;
-  return &scene.height_textures[std::size_t(material.height_texture)];
+  return &*scene.height_textures[std::size_t(material.height_texture)];
 }
 
 double trianglesOf(const Scene& scene, double step) {
@@ -244,8 +244,8 @@ Result<void> displaceMeshes(Scene& scene, const DisplacementSettings& settings) 
   constexpr double kBytesPerTriangle = 60.0;
   MIRRORBALL_TRY_VOID(withName("relief as geometry",
                                checkMemory(static_cast<std::uint64_t>(trianglesOf(scene, step) * kBytesPerTriangle))));
-  for (Mesh& mesh : scene.meshes) {
-    const Material& material = scene.materials[std::size_t(mesh.material)];
+  for (Shared<Mesh>& mesh : scene.meshes) {
+    const Material& material = scene.materials[std::size_t(mesh->material)];
     if (const HeightTexture* heights = heightsOf(scene, mesh))
       mesh = MeshCutter(mesh, material, *heights, step).cut();
     else if (material.height_texture >= 0)

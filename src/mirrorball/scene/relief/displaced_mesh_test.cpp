@@ -164,8 +164,8 @@ TEST(DisplacedMesh, FollowsAPatchsBend) {
 TEST(DisplacedMesh, MakesTrianglesWiderThanTexelsRatherThanTooMany) {
   Scene scene = sceneWith(planeMesh(), rough(64, 64), MapEdges::tiled, 1000.0f);
   ASSERT_TRUE(displaceMeshes(scene, {.max_triangles = 50'000}));
-  EXPECT_LE(scene.meshes[0].indices.size() / 3, 50'000u);
-  EXPECT_GE(scene.meshes[0].indices.size() / 3, 5'000u);
+  EXPECT_LE(scene.meshes[0]->indices.size() / 3, 50'000u);
+  EXPECT_GE(scene.meshes[0]->indices.size() / 3, 5'000u);
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_EQ(scene.warnings[0],
             "relief as geometry: 50000 triangles at most, so that each is 512 texels of the heights wide");
@@ -176,8 +176,8 @@ TEST(DisplacedMesh, LeavesWhatHasNoTextureCoordinates) {
   for (Vertex& vertex : mesh.vertices) vertex.uv[0] = glm::vec2(0.0f);
   Scene scene = sceneWith(std::move(mesh), rough(4, 4), MapEdges::tiled);
   ASSERT_TRUE(displaceMeshes(scene));
-  EXPECT_EQ(scene.meshes[0].vertices.size(), planeMesh().vertices.size());
-  EXPECT_EQ(scene.meshes[0].vertices[0].position, planeMesh().vertices[0].position);
+  EXPECT_EQ(scene.meshes[0]->vertices.size(), planeMesh().vertices.size());
+  EXPECT_EQ(scene.meshes[0]->vertices[0].position, planeMesh().vertices[0].position);
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_EQ(scene.materials[0].height, HeightKind::none);
   EXPECT_EQ(scene.materials[0].height_texture, -1);

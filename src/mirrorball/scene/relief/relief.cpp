@@ -29,7 +29,7 @@ bool readsTexture(const Material& material, ReliefKind kind) {
 /// The textures that materials share.
 class SharedHeights {
  public:
-  explicit SharedHeights(std::vector<HeightTexture>& textures) : textures_(textures) {}
+  explicit SharedHeights(std::vector<Shared<HeightTexture>>& textures) : textures_(textures) {}
 
   /// The texture of a material, an index.
   int of(const Material& material) {
@@ -39,15 +39,16 @@ class SharedHeights {
     const auto found = made_.find(key);
     if (found != made_.end()) return found->second;
     const bool is_builtin = material.height_texture < 0;
-    const MapEdges edges = is_builtin ? MapEdges::tiled : textures_[std::size_t(material.height_texture)].edges;
+    const MapEdges edges = is_builtin ? MapEdges::tiled : textures_[std::size_t(material.height_texture)]->edges;
     Image heights = is_builtin ? builtinHeights(material.height, kBuiltinSide)
-                               : textures_[std::size_t(material.height_texture)].heights;
-    textures_.push_back({.heights = is_inverted ? turnedOver(std::move(heights)) : std::move(heights), .edges = edges});
+                               : textures_[std::size_t(material.height_texture)]->heights;
+    textures_.push_back(
+        HeightTexture{.heights = is_inverted ? turnedOver(std::move(heights)) : std::move(heights), .edges = edges});
     return made_[key] = static_cast<int>(textures_.size()) - 1;
   }
 
  private:
-  std::vector<HeightTexture>& textures_;
+  std::vector<Shared<HeightTexture>>& textures_;
   std::map<std::tuple<HeightKind, int, bool>, int> made_;
 };
 
@@ -64,12 +65,12 @@ void warnOfMeshesWithoutCoordinates(Scene& scene, ReliefKind kind) {
 
 /// Leaves out textures that no material has: heights that were turned over, as they were before.
 void keepUsedTextures(Scene& scene) {
-  std::vector<HeightTexture> used;
+  std::vector<Shared<HeightTexture>> used;
   std::map<int, int> places;  // before → now
   for (Material& material : scene.materials) {
     if (material.height_texture < 0) continue;
     const auto [found, is_new] = places.try_emplace(material.height_texture, static_cast<int>(used.size()));
-    if (is_new) used.push_back(std::move(scene.height_textures[std::size_t(material.height_texture)]));
+    if (is_new) used.push_back(scene.height_textures[std::size_t(material.height_texture)]);
     material.height_texture = found->second;
   }
   scene.height_textures = std::move(used);
@@ -113,7 +114,8 @@ Result<void> prepareRelief(Scene& scene, ReliefKind kind, const std::function<in
   if (!movesSurface(kind)) return {};
   for (const HeightTexture& texture : scene.height_textures)
     MIRRORBALL_TRY_VOID(checkPicture(texture, largest_texture));
-  for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(prepareSearches(texture, kind));
+  for (Shared<HeightTexture>& texture : scene.height_textures)
+    MIRRORBALL_TRY_VOID(prepareSearches(texture.edit(), kind));
   return {};
 }
 

@@ -29,8 +29,8 @@ TEST(PrepareRelief, TurnsHeightsOverWhereTheScaleIsBelowZero) {
   ASSERT_EQ(scene.height_textures.size(), 2u);
   EXPECT_EQ(scene.materials[0].height_texture, scene.materials[2].height_texture);
   for (const Material& material : scene.materials) EXPECT_EQ(material.height_scale, 0.1f);
-  const Image& over = scene.height_textures[std::size_t(scene.materials[0].height_texture)].heights;
-  const Image& upright = scene.height_textures[std::size_t(scene.materials[1].height_texture)].heights;
+  const Image& over = scene.height_textures[std::size_t(scene.materials[0].height_texture)]->heights;
+  const Image& upright = scene.height_textures[std::size_t(scene.materials[1].height_texture)]->heights;
   for (int x = 0; x < over.width(); ++x) EXPECT_EQ(over.texel(x, 77)[0], 1.0f - upright.texel(x, 77)[0]) << x;
   // The last level bounds all.
   const HeightTexture& texture = scene.height_textures[std::size_t(scene.materials[0].height_texture)];
@@ -41,10 +41,10 @@ TEST(PrepareRelief, TurnsHeightsOverWhereTheScaleIsBelowZero) {
 TEST(PrepareRelief, ChangesNothingTheSecondTime) {
   Scene scene = planeOf(HeightKind::waves, -0.1f);
   ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
-  const float height = scene.height_textures[0].heights.texel(3, 4)[0];
+  const float height = scene.height_textures[0]->heights.texel(3, 4)[0];
   ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
   EXPECT_EQ(scene.height_textures.size(), 1u);
-  EXPECT_EQ(scene.height_textures[0].heights.texel(3, 4)[0], height);
+  EXPECT_EQ(scene.height_textures[0]->heights.texel(3, 4)[0], height);
 }
 
 TEST(PrepareRelief, GivesTexturesOnlyToWhatReadsThem) {
@@ -65,7 +65,7 @@ TEST(PrepareRelief, GivesTexturesOnlyToWhatReadsThem) {
 TEST(PrepareRelief, WarnsWhereHeightsLieOverCoordinatesThatAMeshDoesNotHave) {
   const auto warningsOf = [](HeightKind height, ReliefKind kind) {
     Scene scene = planeOf(height, 0.1f);
-    for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+    for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] = glm::vec2(0.0f);
     EXPECT_TRUE(prepareRelief(scene, kind));
     return scene.warnings.size();
   };
@@ -77,7 +77,7 @@ TEST(PrepareRelief, WarnsWhereHeightsLieOverCoordinatesThatAMeshDoesNotHave) {
 
 Scene reliefOfSide(int side) {
   Scene scene = planeOf(HeightKind::map, 0.1f);
-  scene.height_textures.push_back({.heights = Image(side, side, 1, 0.5f)});
+  scene.height_textures.push_back(HeightTexture{.heights = Image(side, side, 1, 0.5f)});
   scene.materials[0].height_texture = 0;
   return scene;
 }
@@ -89,7 +89,7 @@ TEST(PrepareRelief, RefusesSearchesThatTheDriverCannotRead) {
   ASSERT_FALSE(prepared);
   EXPECT_EQ(prepared.error().code, ErrorCode::too_large);
   EXPECT_NE(prepared.error().message.find("at most 1364 texels a side"), std::string::npos);
-  EXPECT_TRUE(scene.height_textures[0].picture.empty());
+  EXPECT_TRUE(scene.height_textures[0]->picture.empty());
 }
 
 TEST(PrepareRelief, AsksForTheDriverOnlyWhereItMatters) {
@@ -101,13 +101,13 @@ TEST(PrepareRelief, AsksForTheDriverOnlyWhereItMatters) {
   Scene small = reliefOfSide(512), large = reliefOfSide(1500), fits = reliefOfSide(1400);
   EXPECT_TRUE(prepareRelief(small, ReliefKind::exact, largest));
   EXPECT_TRUE(prepareRelief(large, ReliefKind::bump, largest));
-  EXPECT_TRUE(large.height_textures[0].picture.empty()) << "bumps need no searches";
+  EXPECT_TRUE(large.height_textures[0]->picture.empty()) << "bumps need no searches";
   EXPECT_EQ(asked, 0);
   EXPECT_TRUE(prepareRelief(fits, ReliefKind::parallax, largest));
   EXPECT_EQ(asked, 1);
   // To be traced: no driver takes part.
   EXPECT_TRUE(prepareRelief(large, ReliefKind::exact));
-  EXPECT_FALSE(large.height_textures[0].picture.empty());
+  EXPECT_FALSE(large.height_textures[0]->picture.empty());
 }
 
 TEST(PrepareRelief, KeepsNoHeightsThatWereTurnedOver) {

@@ -36,9 +36,9 @@ void addStanding(Scene& all, Scene object, const Stand& stand) {
   const glm::vec3 place(stand.place.x, -boundingBox(object).low.y, stand.place.y);
   const int first_mesh = static_cast<int>(all.meshes.size());
   const int first_material = static_cast<int>(all.materials.size());
-  for (Mesh& mesh : object.meshes) {
-    mesh.material += first_material;
-    all.meshes.push_back(std::move(mesh));
+  for (Shared<Mesh>& mesh : object.meshes) {
+    mesh.edit().material += first_material;
+    all.meshes.push_back(mesh);
   }
   all.materials.insert(all.materials.end(), object.materials.begin(), object.materials.end());
   for (Instance& instance : object.instances) {

@@ -72,7 +72,7 @@ Scene tumblerWaterScene() {
   Scene scene = sceneOf(revolvedMesh(glassProfile(), kTumblerSegments), glass);
   scene.materials.push_back(*materialNamed("water"));
   scene.meshes.push_back(revolvedMesh(waterProfile(), kTumblerSegments));
-  scene.meshes.back().material = 1;
+  scene.meshes.back().edit().material = 1;
   scene.instances.push_back({.mesh = 1});
   fitToUnitSphere(scene);
   return scene;

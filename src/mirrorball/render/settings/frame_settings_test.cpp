@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 #include <algorithm>
 #include <set>

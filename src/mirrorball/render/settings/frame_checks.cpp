@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/frame_checks.h"
+#include "mirrorball/render/settings/frame_checks.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 #include <array>
 
@@ -6,7 +6,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/environment/convert/convert.h"
-#include "mirrorball/render/frame/frame_fields.h"
+#include "mirrorball/render/settings/frame_fields.h"
 
 namespace mirrorball {
 namespace {

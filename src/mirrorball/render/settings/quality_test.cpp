@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/quality.h"
+#include "mirrorball/render/settings/quality.h"
 
 #include <algorithm>
 #include <string>

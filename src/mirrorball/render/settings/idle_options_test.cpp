@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/idle_options.h"
+#include "mirrorball/render/settings/idle_options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {

@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/quality.h"
+#include "mirrorball/render/settings/quality.h"
 
 #include <algorithm>
 
@@ -57,7 +57,7 @@ SceneTraits traitsOf(const Scene& scene) {
   std::size_t triangles = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Material& material = materialOf(scene, i);
-    triangles += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
+    triangles += scene.meshes[std::size_t(scene.instances[i].mesh)]->indices.size() / 3;
     traits.lets_light_through = traits.lets_light_through || material.transmission > 0.0f;
     const bool has_polished_coat = material.clearcoat > 0.0f && material.clearcoat_roughness < kPolished;
     traits.is_polished =

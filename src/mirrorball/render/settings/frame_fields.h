@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball::frame_fields {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {

@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/frame_fields.h"
+#include "mirrorball/render/settings/frame_fields.h"
 
 #include <algorithm>
 #include <array>

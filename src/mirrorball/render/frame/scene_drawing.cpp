@@ -201,7 +201,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
                                     const FrameSettings& settings) {
   const bool is_mirrored = glm::determinant(glm::mat3(frame.sample.camera.view_from_world)) < 0.0f;
   glFrontFace(is_mirrored ? GL_CW : GL_CCW);
-  const std::vector<int> order = byDistance(frame, false);
+  const std::vector<int>& order = byDistance(frame, false);
   std::vector<ScreenLayer> layers;
   if (settings.behind == BehindKind::screen)
     layers = screenLayers(scene(), staged_->boxes(), staged_->bounds().radius, order, settings);
@@ -216,19 +216,26 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  std::vector<bool> sees;  // of each material
-  for (const Material& material : scene().materials) sees.push_back(seesScreen(material, settings));
-  const std::vector<InstanceTraits>& traits = staged_->traits();
-  std::vector<int> seeing_nothing;
-  std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
-               [&](int instance) { return !sees[std::size_t(traits[std::size_t(instance)].material)]; });
-  drawInstances(seeing_nothing, frame, settings);
+  drawWhatSeesNothing(order, frame, settings);
   if (settings.showsEnvironment() || (!is_mirrored && showsShadowAlone(settings)))
     device_->background.draw(light, frame, settings);
   if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, staged_->box());
   MIRRORBALL_TRY_VOID(drawLayers(target, light, frame, settings, layers));
   drawBlended(frame, settings);
   return {};
+}
+
+/// Draws those of some instances that do not see the screen through themselves.
+void SceneDrawing::drawWhatSeesNothing(const std::vector<int>& order, const FrameUniforms& frame,
+                                       const FrameSettings& settings) {
+  std::vector<bool> sees;  // of each material
+  for (const Material& material : scene().materials) sees.push_back(seesScreen(material, settings));
+  if (!contains(sees, true)) return drawInstances(order, frame, settings);
+  const std::vector<InstanceTraits>& traits = staged_->traits();
+  std::vector<int> seeing_nothing;
+  std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
+               [&](int instance) { return !sees[std::size_t(traits[std::size_t(instance)].material)]; });
+  drawInstances(seeing_nothing, frame, settings);
 }
 
 Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light,
@@ -255,7 +262,17 @@ void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameU
     chooseCulling(instance, frame);
     device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera);
   }
-  for (const int instance : instances) drawInstance(instance, frame, settings);
+  // Drivers leave nothing in the processor's caches, and the order is not that of the lists: what a draw needs to know
+  // is asked for some draws before.
+  constexpr std::size_t kAhead = 4;
+  const std::vector<InstanceTraits>& traits = staged_->traits();
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    if (i + kAhead < instances.size()) {
+      __builtin_prefetch(&traits[std::size_t(instances[i + kAhead])]);
+      surfaces_.expect(instances[i + kAhead]);
+    }
+    drawInstance(instances[i], frame, settings);
+  }
 }
 
 Result<void> SceneDrawing::beginSurfaces(const EnvironmentLight& light, const FrameUniforms& frame,
@@ -279,11 +296,37 @@ void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const
     glEnable(GL_CULL_FACE);
 }
 
+bool SceneDrawing::Order::isFor(const Order& wanted) const {
+  return version == wanted.version && position == wanted.position && forward == wanted.forward &&
+         orthographic == wanted.orthographic && is_blended == wanted.is_blended && hidden == wanted.hidden;
+}
+
+const std::vector<int>& SceneDrawing::byDistance(const FrameUniforms& frame, bool is_blended) {
+  constexpr std::size_t kMostOrders = 6;  // of a picture, its mirror image and a face of a probe
+  const Camera& camera = frame.sample.camera;
+  Order wanted{.version = staged_->version(StagePart::meshes | StagePart::transforms | StagePart::shapes),
+               .position = camera.position,
+               .forward = camera.forward,
+               .orthographic = camera.orthographic,
+               .is_blended = is_blended,
+               .hidden = std::vector<int>(frame.sample.hidden.begin(), frame.sample.hidden.end())};
+  const auto known =
+      std::find_if(orders_.begin(), orders_.end(), [&](const Order& other) { return other.isFor(wanted); });
+  if (known != orders_.end()) {
+    orders_.splice(orders_.end(), orders_, known);
+  } else {
+    wanted.instances = sortedByDistance(frame, is_blended);
+    orders_.push_back(std::move(wanted));
+    if (orders_.size() > kMostOrders) orders_.pop_front();
+  }
+  return orders_.back().instances;
+}
+
 /// The instances of opaque surfaces, the nearest first, since what is near hides what is behind it, which then need not
 /// be lit; or of those that shine through, the farthest first, since they are drawn over each other.
 ///
 /// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
-std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_blended) const {
+std::vector<int> SceneDrawing::sortedByDistance(const FrameUniforms& frame, bool is_blended) const {
   const Camera& camera = frame.sample.camera;
   const std::vector<InstanceTraits>& traits = staged_->traits();
   const std::vector<glm::vec3>& centers = staged_->centers();
@@ -304,7 +347,7 @@ std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_bl
 }
 
 void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
-  const std::vector<int> blended = byDistance(frame, true);
+  const std::vector<int>& blended = byDistance(frame, true);
   if (blended.empty()) return;
   setBlending(true);
   for (const int instance : blended) drawInstance(instance, frame, settings);

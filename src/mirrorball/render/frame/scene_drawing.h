@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <list>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -83,15 +85,31 @@ class SceneDrawing {
   Result<void> drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                           const FrameSettings& settings, const std::vector<ScreenLayer>& layers);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
-  std::vector<int> byDistance(const FrameUniforms& frame, bool is_blended) const;
+  const std::vector<int>& byDistance(const FrameUniforms& frame, bool is_blended);
+  std::vector<int> sortedByDistance(const FrameUniforms& frame, bool is_blended) const;
+  void drawWhatSeesNothing(const std::vector<int>& order, const FrameUniforms& frame, const FrameSettings& settings);
   void drawInstances(const std::vector<int>& instances, const FrameUniforms& frame, const FrameSettings& settings);
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
   void chooseCulling(int instance, const FrameUniforms& frame) const;
   void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
 
+  /// Instances as they are drawn from a place, kept since all samples of a frame have the same.
+  struct Order {
+    std::uint64_t version = 0;  ///< of the scene's meshes, places and traits
+    glm::vec3 position{0.0f};
+    glm::vec3 forward{0.0f};
+    bool orthographic = false;
+    bool is_blended = false;
+    std::vector<int> hidden = {};
+    std::vector<int> instances = {};
+
+    bool isFor(const Order& wanted) const;
+  };
+
   Device::State* device_;
   std::shared_ptr<StagedScene> staged_;
   SurfaceDrawing surfaces_;
+  std::list<Order> orders_;  ///< the last ones, the newest at the end
   // Each is made when a frame first needs it.
   std::optional<BackFaces> back_faces_;
   std::optional<ReliefHits> relief_hits_;

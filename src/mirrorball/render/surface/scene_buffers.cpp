@@ -115,18 +115,18 @@ Result<void> send(const std::vector<Shared<Source>>& sources, const std::vector<
   return {};
 }
 
-Result<gl::VertexArray> sendMesh(const Mesh& mesh) {
-  return gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
-                         gl::Buffer(std::span(mesh.indices)));
-}
-
 }  // namespace
 
 Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units, const SceneBuffers* alike,
                                         const LevelsOfMaps& levels) {
   SceneBuffers buffers;
   buffers.units_ = units;
-  MIRRORBALL_TRY_VOID(send(scene.meshes, alike ? &alike->meshes_ : nullptr, buffers.meshes_, sendMesh));
+  const auto meshes = [](const Mesh& mesh) -> Result<MeshBuffers> {
+    return MeshBuffers{gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
+                                       gl::Buffer(std::span(mesh.indices))),
+                       mesh.indices.size()};
+  };
+  MIRRORBALL_TRY_VOID(send(scene.meshes, alike ? &alike->meshes_ : nullptr, buffers.meshes_, meshes));
   buffers.prisms_.resize(scene.meshes.size());
   buffers.addOcclusion(scene);
   MIRRORBALL_TRY_VOID(buffers.addMaps(scene, alike, levels));
@@ -159,13 +159,15 @@ Result<void> SceneBuffers::addMaps(const Scene& scene, const SceneBuffers* alike
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units_));
+    std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < sources.size(); ++row) {
       if (sources[row].unit < 0) continue;
+      rows.push_back(row);
       const auto index = textureOf(material, row);
       sources[row].has_spread = isNormalMap(materialMaps()[row]) && contents_[index].holds_normals;
       if (sources[row].layer >= 0 || !sent.contains(contents_[index])) needs_levels[index] = true;
     }
-    materials_.push_back({std::move(sources), {}});
+    materials_.push_back({std::move(sources), {}, std::move(rows)});
   }
   MIRRORBALL_TRY(levels, makeMapLevels(scene, contents_, needs_levels, known));
   textures_.resize(scene.textures.size());
@@ -220,9 +222,8 @@ void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float an
 
 void SceneBuffers::bindMaps(const Scene& scene, int material, const TextureUnits& units) const {
   const MaterialMaps& maps = materials_[std::size_t(material)];
-  for (std::size_t row = 0; row < maps.sources.size(); ++row) {
+  for (const std::size_t row : maps.rows) {
     const MapSource& source = maps.sources[row];
-    if (source.unit < 0) continue;
     const std::size_t index = textureOf(scene.materials[std::size_t(material)], row);
     const int unit = units.firstOfMaps() + source.unit;
     if (source.layer < 0)
@@ -252,7 +253,7 @@ void SceneBuffers::setIorAround(std::size_t instance, std::span<const float> ior
 
 void SceneBuffers::readIorAround(const Scene& scene, int instance) {
   const std::optional<gl::Buffer>& buffer = ior_around_[std::size_t(instance)];
-  gl::VertexArray& vertices = meshes_[std::size_t(scene.instances[std::size_t(instance)].mesh)]->made;
+  gl::VertexArray& vertices = meshes_[std::size_t(scene.instances[std::size_t(instance)].mesh)]->made.vertices;
   if (buffer)
     vertices.read(*buffer, sizeof(float), kIorAroundAttribute);
   else
@@ -283,8 +284,8 @@ void SceneBuffers::drawPrisms(int mesh, int unit) const {
 }
 
 void SceneBuffers::drawMesh(int index) const {
-  const Sent<Mesh, gl::VertexArray>& mesh = *meshes_[std::size_t(index)];
-  mesh.made.drawIndexed(mesh.source->indices.size());
+  const MeshBuffers& mesh = meshes_[std::size_t(index)]->made;
+  mesh.vertices.drawIndexed(mesh.index_count);
 }
 
 void SceneBuffers::drawMeshWithOcclusion(const Scene& scene, int instance) {
@@ -292,7 +293,8 @@ void SceneBuffers::drawMeshWithOcclusion(const Scene& scene, int instance) {
   const auto drawSide = [&](std::size_t first_vertex) {
     std::array<gl::Attribute, kOcclusionAttributes.size()> attributes = kOcclusionAttributes;
     for (gl::Attribute& attribute : attributes) attribute.offset += first_vertex * sizeof(VertexOcclusion);
-    meshes_[std::size_t(mesh)]->made.read(*occlusions_[std::size_t(instance)], sizeof(VertexOcclusion), attributes);
+    meshes_[std::size_t(mesh)]->made.vertices.read(*occlusions_[std::size_t(instance)], sizeof(VertexOcclusion),
+                                                   attributes);
     drawMesh(mesh);
   };
   if (!knowsBacks(scene, std::size_t(instance))) return drawSide(0);

@@ -79,6 +79,8 @@ class SceneBuffers {
   }
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
+  /// Whether some of a material's textures are layers of an array.
+  bool hasLayers(int material) const { return materials_[std::size_t(material)].layers.has_value(); }
   /// A material's heights: gives its map to the shader, and its slopes; null: it has none.
   const HeightBuffers* heightsOf(const Scene& scene, int material) const;
   /// A material's map of slopes, where no heights are shown; null: it has none.
@@ -97,6 +99,10 @@ class SceneBuffers {
     gl::VertexArray boxes;
     std::size_t index_count;
   };
+  struct MeshBuffers {
+    gl::VertexArray vertices;
+    std::size_t index_count;
+  };
   struct MapTexture {
     MapContent content;
     SharedPicture picture;  ///< the content's
@@ -105,13 +111,14 @@ class SceneBuffers {
   struct MaterialMaps {
     std::vector<MapSource> sources;
     std::optional<gl::Texture> layers;
+    std::vector<std::size_t> rows;  ///< of materialMaps() that have a texture
   };
   void addOcclusion(const Scene& scene);
   Result<void> addMaps(const Scene& scene, const SceneBuffers* alike, const LevelsOfMaps& known);
   const gl::Sampler* samplerOf(const gl::Sampling& sampling);
 
   SceneBlocks blocks_;
-  std::vector<SentPointer<Mesh, gl::VertexArray>> meshes_;
+  std::vector<SentPointer<Mesh, MeshBuffers>> meshes_;
   std::vector<std::optional<Prisms>> prisms_;          // of meshes
   std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
   std::vector<std::optional<gl::Buffer>> ior_around_;  // of instances, less 1

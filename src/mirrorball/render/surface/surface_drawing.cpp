@@ -326,7 +326,8 @@ void SurfaceDrawing::draw(const Draw& draw, const Scene& scene, int instance, Sc
   const TextureUnits& units = draw.program->units;
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
   buffers.bindMaps(scene, material, units);
-  setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
+  if (buffers.hasLayers(material))
+    setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
     const int texture = scene.materials[std::size_t(material)].height_texture;
     program.set("height_map", heightMapUniform(scene.height_textures[std::size_t(texture)]));

@@ -49,6 +49,9 @@ class SurfaceDrawing {
   /// after `begin`.
   bool isCostly(int instance) const { return draws()[std::size_t(instance)].is_costly; }
 
+  /// Lets the processor fetch what drawing an instance needs to know.
+  void expect(int instance) const { __builtin_prefetch(&draws()[std::size_t(instance)]); }
+
   /// Draws an instance of the scene.
   void draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -82,10 +83,61 @@ Result<void> measure(const std::string& model, const std::string& environment) {
                 MIRRORBALL_TRY_VOID(stage.setMaterial(0, material));
                 return firstSample(moved, small);
               }));
-  std::printf("the same scene again: %.2f ms\n", timeOf([&](int) -> Result<void> {
-                MIRRORBALL_TRY_VOID(stage.setScene(Scene(stage.scene())));
+  const auto timeOfCopy = [&](const char* what, const std::function<void(Scene&, int turn)>& change) {
+    std::printf("  %.2f ms after a copy with %s\n", timeOf([&](int turn) -> Result<void> {
+                  Scene copy = stage.scene();
+                  change(copy, turn);
+                  MIRRORBALL_TRY_VOID(stage.setScene(std::move(copy)));
+                  return firstSample(moved, small);
+                }),
+                what);
+  };
+  timeOfCopy("nothing else", [](Scene&, int) {});
+  timeOfCopy("another mesh", [](Scene& copy, int) { copy.meshes[0].edit().vertices[0].position *= 1.0001f; });
+  timeOfCopy("another pixel", [](Scene& copy, int turn) {
+    if (!copy.textures.empty()) copy.textures[0].image.edit().texel(0, 0)[0] = static_cast<std::uint8_t>(turn);
+  });
+  std::printf("  %.2f ms after a node's move\n", timeOf([&](int turn) -> Result<void> {
+                MIRRORBALL_TRY_VOID(stage.setNode(0, {.translation = {0.001 * turn, 0.0, 0.0}}));
                 return firstSample(moved, small);
               }));
+  return {};
+}
+
+/// The longest step of a change to a technique that no device has drawn yet, and all of it [ms].
+Result<void> measurePrograms(const std::string& model) {
+  MIRRORBALL_TRY(device, Device::headless());
+  Stage stage(device);
+  MIRRORBALL_TRY(studio, loadEnvironment("studio"));
+  MIRRORBALL_TRY_VOID(stage.setEnvironment(std::move(studio.environment), *CacheFolder::ofUser()));
+  MIRRORBALL_TRY(scene, loadModel(model));
+  MIRRORBALL_TRY_VOID(stage.setScene(std::move(scene)));
+  View view(stage);
+  const auto msOf = [](const auto& act) {
+    const auto start = std::chrono::steady_clock::now();
+    act();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  };
+  MIRRORBALL_TRY_VOID(view.draw({.size = {1280, 720}, .samples = 1}));
+  MIRRORBALL_TRY_VOID(view.begin({.size = {1280, 720}, .samples = 2, .mapping = Mapping::normal}));
+  glFinish();
+  double longest = 0.0, all = 0.0;
+  int programs = 0;
+  Result<int> left = 1;
+  for (; left && *left > 0; ++programs) {
+    const double step = msOf([&] { left = view.makeProgram(); });
+    longest = std::max(longest, step);
+    all += step;
+  }
+  if (!left) return tl::unexpected<Error>(left.error());
+  Result<int> drawn = 0;
+  const double first = msOf([&] { drawn = view.drawSample(); });
+  const double second = msOf([&] { drawn = view.drawSample(); });
+  std::printf(
+      "another technique: %d programs in %.0f ms, one in %.0f ms at most; the first sample in %.0f ms, the second in "
+      "%.0f ms\n",
+      programs, all, longest, first, second);
   return {};
 }
 
@@ -98,5 +150,7 @@ int main(int count, char** words) {
   }
   const auto measured = measure(words[1], words[2]);
   if (!measured) std::fprintf(stderr, "%s\n", measured.error().message.c_str());
+  if (const auto programs = measurePrograms(words[1]); !programs)
+    std::fprintf(stderr, "%s\n", programs.error().message.c_str());
   return measured ? 0 : 1;
 }

@@ -59,6 +59,14 @@ bool isPrepared(const Scene& scene, const ScenePreparation& preparation) {
          (!preparation.finds_occlusion || knowsOcclusion(scene, preparation.occlusion));
 }
 
+std::vector<int> meshesWithPrisms(const Scene& scene) {
+  std::vector<int> meshes;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    if (showsHeightTexture(scene.materials[std::size_t(scene.meshes[i]->material)], ReliefKind::exact))
+      meshes.push_back(static_cast<int>(i));
+  return meshes;
+}
+
 bool forgetOcclusion(Scene& scene) {
   bool knew = false;
   for (Instance& instance : scene.instances) {

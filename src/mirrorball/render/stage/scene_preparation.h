@@ -3,6 +3,7 @@
 #include <compare>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/progress.h"
@@ -37,6 +38,9 @@ bool isPrepared(const Scene& scene, const ScenePreparation& preparation);
 ///
 /// returns  whether they knew something
 bool forgetOcclusion(Scene& scene);
+
+/// Of a scene that is prepared for ReliefKind::exact, those whose relief is searched for in prisms.
+std::vector<int> meshesWithPrisms(const Scene& scene);
 
 /// What preparing takes beside the scene.
 struct PreparationMeans {

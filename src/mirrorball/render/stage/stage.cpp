@@ -118,7 +118,7 @@ Result<bool> Stage::take(StageWork work) {
     form = std::move(added);
   }
   if (!form) return false;
-  form->take(std::move(done.bodies), std::move(done.triangles));
+  MIRRORBALL_TRY_VOID(form->take(std::move(done.made)));
   return true;
 }
 

@@ -214,6 +214,18 @@ TEST_P(StageChangesTest, WorkIsDoneInAnotherThreadWhileAViewDraws) {
   EXPECT_EQ(pictureOf(view, costly), truth);
 }
 
+TEST_P(StageChangesTest, WorkMakesThePrismsOfARelief) {
+  Scene scene = paintedBalls();
+  for (Material& material : scene.materials) material.height = HeightKind::waves;
+  ASSERT_TRUE(stage().setScene(scene));
+  FrameSettings exact = smallFrame();
+  testing::set(exact, "relief", "exact");
+  const std::vector<float> truth = pictureOfNewDevice(exact);
+  ASSERT_TRUE(stage().prepare(exact));
+  View view(stage());
+  EXPECT_EQ(pictureOf(view, exact), truth);
+}
+
 TEST_P(StageChangesTest, WorkForASceneThatHasChangedIsOfNoUse) {
   Result<StageWork> work = stage().workFor(costlyFrame());
   ASSERT_TRUE(work);

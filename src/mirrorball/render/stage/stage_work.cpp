@@ -4,8 +4,22 @@
 
 #include "mirrorball/render/stage/stage_work_state.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/scene/relief/prism_list.h"
 
 namespace mirrorball {
+namespace {
+
+void makePrisms(StageWork::State& state) {
+  const Scene& scene = state.scene;
+  for (const int mesh : meshesWithPrisms(scene)) {
+    const Mesh& base = scene.meshes[std::size_t(mesh)];
+    const Material& material = scene.materials[std::size_t(base.material)];
+    const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
+    state.made.prisms[mesh] = prismList(base, material, heights);
+  }
+}
+
+}  // namespace
 
 StageWork::StageWork(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StageWork::StageWork(StageWork&&) noexcept = default;
@@ -13,7 +27,7 @@ StageWork& StageWork::operator=(StageWork&&) noexcept = default;
 StageWork::~StageWork() = default;
 
 Result<void> StageWork::run(const ProgressFunction& progress) {
-  constexpr std::size_t kOfForm = 800, kOfTree = 100, kAll = kOfForm + 2 * kOfTree;
+  constexpr std::size_t kOfForm = 700, kOfRest = 100, kAll = kOfForm + 3 * kOfRest;
   State& state = *state_;
   const auto go_on = [&](std::size_t done) -> Result<void> {
     if (!progress || progress(done, kAll)) return {};
@@ -25,14 +39,16 @@ Result<void> StageWork::run(const ProgressFunction& progress) {
     state.has_form = state.makes_form = true;
   }
   MIRRORBALL_TRY_VOID(go_on(kOfForm));
+  if (state.settings.relief == ReliefKind::exact) makePrisms(state);
+  MIRRORBALL_TRY_VOID(go_on(kOfForm + kOfRest));
   if (someRefract(state.scene, RefractionKind::traced, state.settings.refraction)) {
     MIRRORBALL_TRY(tree, bodyTree(state.scene));
-    state.bodies = std::move(tree);
+    state.made.bodies = std::move(tree);
   }
-  MIRRORBALL_TRY_VOID(go_on(kOfForm + kOfTree));
+  MIRRORBALL_TRY_VOID(go_on(kOfForm + 2 * kOfRest));
   if (state.settings.self_reflection) {
     MIRRORBALL_TRY(tree, sceneTree(state.scene));
-    state.triangles = std::move(tree);
+    state.made.triangles = std::move(tree);
   }
   return go_on(kAll);
 }

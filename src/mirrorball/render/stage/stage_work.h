@@ -18,7 +18,7 @@ class StageWork {
   ~StageWork();
 
   /// Does it, once: the relief that the frames show (prepareRelief), what vertices know of the scene
-  /// (findOcclusionOnce), and the trees of triangles that rays in shaders go through. No OpenGL is called.
+  /// (findOcclusionOnce), and the prisms and trees of triangles that rays in shaders go through. No OpenGL is called.
   ///
   /// progress  may be called from several threads, but not at once
   /// errors    interrupted; as those functions'

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/render/stage/stage_work.h"
-#include "mirrorball/scene/bodies/body_tree.h"
+#include "mirrorball/render/stage/staged_scene.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -21,8 +20,7 @@ struct StageWork::State {
   std::uint64_t version;  ///< of the scene
 
   bool makes_form = false;  ///< `scene` has become one that the stage has not
-  std::optional<std::optional<BodyTree>> bodies = {};
-  std::optional<std::optional<BodyTree>> triangles = {};
+  StagedScene::Made made = {};
 };
 
 }  // namespace mirrorball

@@ -6,6 +6,7 @@
 
 #include "mirrorball/render/light/probe_places.h"
 #include "mirrorball/render/stage/scene_difference.h"
+#include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/render/surface/texture_units.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 
@@ -141,6 +142,13 @@ Result<const Geometry*> StagedScene::geometry() {
   return &rays->geometry;
 }
 
+Result<void> StagedScene::take(Made made) {
+  if (made.bodies) bodies_.offer(versions_, std::move(*made.bodies));
+  if (made.triangles) scene_tree_.offer(versions_, std::move(*made.triangles));
+  for (auto& [mesh, list] : made.prisms) MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), mesh, std::move(list)));
+  return {};
+}
+
 bool StagedScene::liesInBody(std::size_t instance) const {
   const std::vector<Box>& all = boxes();
   for (std::size_t other = 0; other < all.size(); ++other)
@@ -164,9 +172,7 @@ Result<void> StagedScene::findIorAround() {
 }
 
 Result<void> StagedScene::makePrisms() {
-  for (std::size_t i = 0; i < scene().meshes.size(); ++i)
-    if (showsHeightTexture(scene().materials[std::size_t(scene().meshes[i]->material)], ReliefKind::exact))
-      MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), static_cast<int>(i)));
+  for (const int mesh : meshesWithPrisms(scene())) MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), mesh));
   return {};
 }
 

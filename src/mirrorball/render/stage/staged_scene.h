@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -92,11 +93,14 @@ class StagedScene {
   ///
   /// errors   as bodyTree's
   Result<void> findIorAround();
-  /// Takes trees that were made elsewhere of this scene (bodyTree, sceneTree).
-  void take(std::optional<std::optional<BodyTree>> bodies, std::optional<std::optional<BodyTree>> triangles) {
-    if (bodies) bodies_.offer(versions_, std::move(*bodies));
-    if (triangles) scene_tree_.offer(versions_, std::move(*triangles));
-  }
+  /// What of this scene was made elsewhere.
+  struct Made {
+    std::optional<std::optional<BodyTree>> bodies = {};     ///< bodyTree()
+    std::optional<std::optional<BodyTree>> triangles = {};  ///< sceneTree()
+    std::map<int, std::vector<glm::uvec4>> prisms = {};     ///< prismList() of meshes
+  };
+  /// errors   too_large (for this driver)
+  Result<void> take(Made made);
   /// Makes the prisms of all meshes whose relief is found exactly.
   ///
   /// errors   too_large

@@ -260,13 +260,15 @@ void SceneBuffers::readIorAround(const Scene& scene, int instance) {
     vertices.stopReading(kIorAroundAttribute[0].location);
 }
 
-Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
+Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh, std::vector<glm::uvec4> list) {
   std::optional<Prisms>& prisms = prisms_[std::size_t(mesh)];
   const Mesh& base = scene.meshes[std::size_t(mesh)];
   if (prisms || base.indices.empty()) return {};
-  const Material& material = scene.materials[std::size_t(base.material)];
-  const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
-  MIRRORBALL_TRY(words, withName("the mesh of a relief", gl::Texture::fromWords(prismList(base, material, heights))));
+  if (list.empty()) {
+    const Material& material = scene.materials[std::size_t(base.material)];
+    list = prismList(base, material, scene.height_textures[std::size_t(material.height_texture)]);
+  }
+  MIRRORBALL_TRY(words, withName("the mesh of a relief", gl::Texture::fromWords(list)));
   const std::vector<std::uint32_t> corners = boxCorners(base.indices.size() / 3);
   prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
   return {};

@@ -67,8 +67,9 @@ class SceneBuffers {
   /// Makes what drawPrisms needs, once.
   ///
   /// mesh     its material has a height texture
+  /// list     prismList() of it; empty: it is made here
   /// errors   too_large: the mesh has too many triangles for this driver's textures
-  Result<void> makePrisms(const Scene& scene, int mesh);
+  Result<void> makePrisms(const Scene& scene, int mesh, std::vector<glm::uvec4> list = {});
   /// Binds the list of a mesh's prisms to a unit, and draws the boxes around them.
   void bindPrisms(int mesh, int unit) const;
   void drawPrisms(int mesh, int unit) const;

@@ -89,7 +89,7 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   // What is seen through comes from the probe, which a surface with rays does not read.
   const bool sees_probe_behind = settings.behind == BehindKind::probes && from_outside.transmission > 0.0f &&
                                  !light_of_instance_.empty() && light_of_instance_[std::size_t(instance)] >= 0;
-  decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr && !sees_probe_behind;
+  decided.self_reflection = settings.self_reflection && uniforms_.scene.triangles != nullptr && !sees_probe_behind;
   const auto variant = [&](const Material& seen) {
     SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
                                          settings.lights.size() + scene.lights.size(), coordinates_);
@@ -97,7 +97,7 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
       readProbe(made, lights_[std::size_t(light)]);
     return made;
   };
-  if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
+  if (!eyeIsInside() || !isBody(from_outside)) return variant(from_outside);
   Material seen = from_outside;
   static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
   SurfaceVariant from_inside = variant(seen);
@@ -136,8 +136,8 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
   DrawList list{.settings = std::move(deciding),
                 .version = version,
                 .coordinates = coordinates_,
-                .eye_is_inside = eye_is_inside_,
-                .has_scene_triangles = scene_triangles_ != nullptr,
+                .eye_is_inside = eyeIsInside(),
+                .has_scene_triangles = uniforms_.scene.triangles != nullptr,
                 .light_of_instance = light_of_instance_};
   for (const SurfaceLight& light : lights_) list.captured.push_back(light.nearness != nullptr);
   std::erase_if(draw_lists_, [&](const DrawList& other) { return other.version != version; });
@@ -240,11 +240,9 @@ void SurfaceDrawing::bindLight(int light) {
 /// What decides how instances are drawn.
 void SurfaceDrawing::noteFrame(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
                                const FrameSettings& settings) {
+  uniforms_ = frame;
   coordinates_ = coordinateChoice(scene, settings);
-  eye_is_inside_ = frame.scene.eye_media.count > 0;
   setLights(light, frame, settings);
-  scene_triangles_ = frame.scene.triangles;
-  unseen_by_itself_ = frame.scene.unseen_by_itself;
 }
 
 void SurfaceDrawing::setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
@@ -257,12 +255,6 @@ void SurfaceDrawing::setBlocks(SurfacePrograms& programs, const Scene& scene, Sc
   setFrame(programs, frame, settings);
   bound_light_ = -1;
   programs.bindBrdfTable();
-  sphere_map_ = frame.light.sphere_map;
-  proxy_ = frame.light.proxy;
-  bodies_ = frame.scene.bodies;
-  back_faces_ = frame.screen.back_faces;
-  relief_hits_ = frame.screen.relief_hits;
-  opaque_picture_ = frame.screen.opaque_picture;
 }
 
 Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
@@ -305,13 +297,14 @@ void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceL
   const auto bind = [&](FrameTexture texture, const gl::Texture* bound) {
     if (bound && units.reads(texture)) bound->bind(units.of(texture));
   };
-  bind(FrameTexture::sphere_map, sphere_map_);
+  const ScreenUniforms& screen = uniforms_.screen;
+  bind(FrameTexture::sphere_map, uniforms_.light.sphere_map);
   bind(FrameTexture::nearness, light.nearness);
-  bind(FrameTexture::bodies, bodies_);
-  bind(FrameTexture::scene_triangles, scene_triangles_);
-  bind(FrameTexture::back_faces, back_faces_ ? &back_faces_->picture() : nullptr);
-  bind(FrameTexture::opaque_picture, opaque_picture_);
-  bind(FrameTexture::relief_hits, relief_hits_);
+  bind(FrameTexture::bodies, uniforms_.scene.bodies);
+  bind(FrameTexture::scene_triangles, uniforms_.scene.triangles);
+  bind(FrameTexture::back_faces, screen.back_faces ? &screen.back_faces->picture() : nullptr);
+  bind(FrameTexture::opaque_picture, screen.opaque_picture);
+  bind(FrameTexture::relief_hits, screen.relief_hits);
 }
 
 void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
@@ -335,12 +328,12 @@ void SurfaceDrawing::draw(const Draw& draw, const Scene& scene, int instance, Sc
   }
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
   if (variant.has(Part::sky, SkyPart::occluded_traced))
-    program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
+    program.set("unseen_by_itself", uniforms_.scene.unseen_by_itself[std::size_t(instance)]);
   frame_->bind(SurfacePrograms::frame_point);
   bindLight(draw.light);
   bindFrameTextures(units, lights_[std::size_t(draw.light)]);
   if (!variant.has(Part::proxy, ProxyPart::none) && !variant.has(Part::proxy, ProxyPart::captured))
-    proxy_->bind(units.of(FrameTexture::proxy));
+    uniforms_.light.proxy->bind(units.of(FrameTexture::proxy));
   buffers.blocks().bind(instance, SurfacePrograms::instance_point, material, SurfacePrograms::material_point);
   program.use();
   if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);

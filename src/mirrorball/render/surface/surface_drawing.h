@@ -79,6 +79,8 @@ class SurfaceDrawing {
     bool isFor(const DrawList& frame) const;
   };
 
+  /// Of bodies that are traced.
+  bool eyeIsInside() const { return uniforms_.scene.eye_media.count > 0; }
   const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
   Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
                          std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);
@@ -102,15 +104,7 @@ class SurfaceDrawing {
   std::vector<DrawList> draw_lists_;
   std::size_t drawn_ = 0;         ///< which of them the sample has
   CoordinateChoice coordinates_;  ///< of the frame
-  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
-  const gl::Texture* scene_triangles_ = nullptr;
-  std::span<const int> unseen_by_itself_;
-  const gl::Texture* sphere_map_ = nullptr;
-  ProxyUniforms* proxy_ = nullptr;
-  const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
-  const BackFaces* back_faces_ = nullptr;     ///< of the sample
-  const gl::Texture* relief_hits_ = nullptr;  ///< likewise
-  const gl::Texture* opaque_picture_ = nullptr;
+  FrameUniforms uniforms_;        ///< of the sample
   std::optional<gl::UniformBlock> frame_;
   std::shared_ptr<const gl::BlockLayout> light_layout_;
   std::vector<SurfaceLight> lights_;            ///< of the sample: the environment's, then those of probes

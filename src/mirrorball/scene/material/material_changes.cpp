@@ -1,5 +1,6 @@
 #include "mirrorball/scene/material/material_changes.h"
 
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -53,6 +54,10 @@ void replaceMaterials(Scene& scene, const Material& material) {
     std::erase_if(animation.channels, [](const AnimationChannel& each) { return movesMaterial(each.target); });
   scene.variants.clear();
   for (Shared<Mesh>& shared : scene.meshes) {
+    const auto is_white = [](const Vertex& vertex) { return vertex.color == glm::vec4(1.0f); };
+    const bool is_so = shared->material == 0 && shared->material_of_variant.empty() &&
+                       std::all_of(shared->vertices.begin(), shared->vertices.end(), is_white);
+    if (is_so) continue;
     Mesh& mesh = shared.edit();
     mesh.material = 0;
     mesh.material_of_variant.clear();

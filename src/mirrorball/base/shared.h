@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <utility>
 
@@ -23,6 +24,8 @@ class Shared {
   /// To be changed, which other copies are not.
   Value& edit() {
     if (value_.use_count() > 1) value_ = std::make_shared<Value>(*value_);
+    // What another thread has read before it gave up its copy is read before this one writes.
+    std::atomic_thread_fence(std::memory_order_acquire);
     return *value_;
   }
 

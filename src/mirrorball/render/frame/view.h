@@ -61,7 +61,7 @@ class View {
   Result<void> begin(const Camera& camera, const FrameSettings& settings);
   /// Makes one of the programs that the frame needs and that the device has not yet, and draws with it once: for
   /// windows that respond between a change of technique and its first sample. drawSample makes all that are left at
-  /// once.
+  /// once; begin makes those that probes are captured with.
   ///
   /// returns  how many are left: 0 if none was missing
   /// errors   as draw's

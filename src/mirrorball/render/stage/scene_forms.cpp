@@ -14,6 +14,12 @@ void takeHeights(Material& material, const Material& prepared) {
   material.height = prepared.height;
   material.height_texture = prepared.height_texture;
   material.height_scale = prepared.height_scale;
+  material.height_frequency = prepared.height_frequency;
+}
+
+/// Tells the instances of a form which nodes show them.
+void takeNodes(Scene& form, const Scene& given) {
+  for (std::size_t i = 0; i < form.instances.size(); ++i) form.instances[i].node = given.instances[i].node;
 }
 
 }  // namespace
@@ -24,14 +30,14 @@ SceneForms::SceneForms() : given_(std::make_shared<Scene>()), as_given_(*StagedS
 Result<void> SceneForms::set(Scene scene, const LevelsOfMaps& levels) {
   auto now = std::make_shared<Scene>(std::move(scene));
   const unsigned changed = differingParts(*given_, *now);
-  MIRRORBALL_TRY_VOID(as_given_->become(now, changed, levels));
+  MIRRORBALL_TRY_VOID(as_given_->become(now, changed, nullptr, levels));
   const std::shared_ptr<Scene> before = std::exchange(given_, std::move(now));
-  std::erase_if(forms_, [&](Form& form) { return !follow(form, *before, changed); });
+  std::erase_if(forms_, [&](Form& form) { return !follow(form, *before, changed, levels); });
   versions_.change(changed);
   return {};
 }
 
-bool SceneForms::follow(Form& form, const Scene& before, unsigned changed) {
+bool SceneForms::follow(Form& form, const Scene& before, unsigned changed, const LevelsOfMaps& levels) {
   // What vertices know of a scene depends on all of it but its lamps, which are not in the environment.
   if (form.preparation.finds_occlusion && (changed & ~StagePart::lights) != 0) return false;
   if (!haveSameRelief(before, *given_)) return false;
@@ -39,8 +45,11 @@ bool SceneForms::follow(Form& form, const Scene& before, unsigned changed) {
   now->meshes = form.scene->meshes;
   now->height_textures = form.scene->height_textures;
   for (std::size_t i = 0; i < now->materials.size(); ++i) takeHeights(now->materials[i], form.scene->materials[i]);
+  // As prepareScene does: what was known is of other vertices.
+  if (form.preparation.relief == ReliefKind::geometry) forgetOcclusion(*now);
   if (form.preparation.finds_occlusion) now->instances = form.scene->instances;
-  if (!form.staged->become(now, changed)) return false;
+  takeNodes(*now, *given_);
+  if (!form.staged->become(now, changed, as_given_.get(), levels)) return false;
   form.scene = std::move(now);
   return true;
 }
@@ -91,6 +100,7 @@ Result<void> SceneForms::setTransform(std::size_t instance, const glm::mat4& wor
 }
 
 void SceneForms::setLights(std::vector<ModelLight> lights) {
+  if (lights.size() != given_->lights.size()) given_->rig.light_nodes.clear();
   given_->lights = std::move(lights);
   as_given_->lightsChanged();
   for (Form& form : forms_) {
@@ -112,6 +122,7 @@ std::shared_ptr<StagedScene> SceneForms::find(const ScenePreparation& preparatio
 Result<std::shared_ptr<StagedScene>> SceneForms::add(const ScenePreparation& preparation, Scene prepared) {
   constexpr std::ptrdiff_t kMostUnused = 2;
   auto scene = std::make_shared<Scene>(std::move(prepared));
+  takeNodes(*scene, *given_);
   MIRRORBALL_TRY(staged, StagedScene::make(scene, as_given_.get()));
   const auto is_unused = [](const Form& form) { return form.staged.use_count() == 1; };
   if (std::count_if(forms_.begin(), forms_.end(), is_unused) > kMostUnused)

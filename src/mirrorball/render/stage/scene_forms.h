@@ -52,8 +52,10 @@ class SceneForms {
     std::shared_ptr<StagedScene> staged;
   };
   bool knowsOcclusion() const;
-  /// Whether the form is of the scene as it is now.
-  bool follow(Form& form, const Scene& before, unsigned changed);
+  /// Makes a form one of the scene as it is now, if what it was prepared for is still so.
+  ///
+  /// returns  whether it is
+  bool follow(Form& form, const Scene& before, unsigned changed, const LevelsOfMaps& levels);
 
   std::shared_ptr<Scene> given_;
   std::shared_ptr<StagedScene> as_given_;

@@ -57,12 +57,13 @@ class Stage {
   ///          as before
   /// cost     one uniform block is sent, and what a frame has that depends on colours is made again when it is next
   ///          drawn: probes, a ground's shadow, reflections in the scene itself. Of a body the triangles are sorted
-  ///          anew, too; with other textures or heights, the meshes are sent again. What vertices know of the scene is
+  ///          anew, too; other textures or heights are sent. What vertices know of the scene is
   ///          found again when a frame next asks for it
   Result<void> setMaterial(std::size_t index, Material material);
 
   /// Puts a node of the scene's tree (Scene::rig) elsewhere in its parent, with the meshes, cameras and lights below
-  /// it; skins that hang on it bend (placeNode). What setTransform has moved is where its node is again.
+  /// it; skins that hang on it bend (placeNode). The scene then is as its nodes say: instances that were moved, hidden
+  /// or added without them are as before. What a node scales to nothing is not shown: so nodes hide.
   ///
   /// errors   as placeNode's and setScene's
   Result<void> setNode(std::size_t node, const NodePlace& place);
@@ -77,7 +78,8 @@ class Stage {
   /// errors   usage (others than there are, or of other meshes)
   Result<void> moveInstances(const std::vector<Instance>& instances);
 
-  /// The scene's own lights; those of FrameSettings are a view's.
+  /// The scene's own lights; those of FrameSettings are a view's. As many as before are of the same nodes; more or
+  /// fewer are of none.
   ///
   /// errors   usage (more than Scene::kMaxLights)
   Result<void> setLights(std::vector<ModelLight> lights);
@@ -107,7 +109,7 @@ class Stage {
   /// cost     as setScene's and setEnvironment's, with the cache of setCache
   Result<void> moveTo(const Device& device);
 
-  /// As it was given, with all changes since.
+  /// As it was given, with all changes since; valid until the next one.
   const Scene& scene() const;
   /// Of the scene.
   const BoundingSphere& bounds() const;

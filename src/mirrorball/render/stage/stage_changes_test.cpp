@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/render/stage/scene_difference.h"
 #include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/render/stage/stage_testing.h"
@@ -140,8 +141,71 @@ TEST_P(StageChangesTest, AFormFollowsItsSceneAsFarAsItCan) {
   };
   become([](Scene& changed) { changed.textures[0] = grey(30); });
   EXPECT_EQ(formFor(steep), form);
+  EXPECT_EQ(form->buffers().textureName(0), formFor(smallFrame())->buffers().textureName(0)) << "it is sent once";
   become([](Scene& changed) { changed.materials[0].height_scale *= 0.5f; });
   EXPECT_NE(formFor(steep), form) << "its heights are others";
+}
+
+// What the caller knew of the scene is of the mesh as it was before its relief became triangles.
+TEST_P(StageChangesTest, ACutFormFollowsASceneWhoseOcclusionIsKnown) {
+  Scene scene = paintedBalls();
+  scene.materials[0].height = HeightKind::brick;
+  ASSERT_TRUE(findOcclusionOnce(scene, {.rays = 16}, {}));
+  ASSERT_TRUE(stage().setScene(scene));
+  FrameSettings cut = smallFrame();
+  testing::set(cut, "relief", "geometry");
+  View view(stage());
+  pictureOf(view, cut);
+  Scene changed = stage().scene();
+  changed.materials[1].base_color = {1.0f, 0.2f, 0.1f};
+  ASSERT_TRUE(stage().setScene(std::move(changed)));
+  EXPECT_EQ(pictureOf(view, cut), pictureOfNewDevice(cut));
+}
+
+// 20 textures are more than a material has units: some are layers of an array.
+TEST_P(StageChangesTest, LayersAreKeptAsTexturesAre) {
+  Scene scene = paintedBalls();
+  std::uint8_t level = 0;
+  for (const MaterialMap& map : materialMaps()) {
+    (scene.materials[0].*map.slot).texture = static_cast<int>(scene.textures.size());
+    scene.textures.push_back(grey(level += 9));
+  }
+  scene.materials[0].clearcoat = 0.5f;
+  ASSERT_TRUE(stage().setScene(scene));
+  View view(stage());
+  pictureOf(view, smallFrame());
+  Scene changed = stage().scene();
+  changed.instances[0].world_from_object[3].y = 0.3f;
+  ASSERT_TRUE(stage().setScene(changed));
+  EXPECT_EQ(pictureOf(view, smallFrame()), pictureOfNewDevice(smallFrame()));
+  changed.textures.back() = grey(250);
+  ASSERT_TRUE(stage().setScene(std::move(changed)));
+  EXPECT_EQ(pictureOf(view, smallFrame()), pictureOfNewDevice(smallFrame()));
+}
+
+TEST_P(StageChangesTest, NodesThatCameLaterAreKnownToForms) {
+  Scene scene = paintedBalls();
+  scene.rig = {};
+  for (Instance& instance : scene.instances) instance.node = -1;
+  ASSERT_TRUE(stage().setScene(scene));
+  FrameSettings hidden = smallFrame();
+  testing::set(hidden, "occlusion", "vertex");
+  formFor(hidden);
+  addNodes(scene);
+  ASSERT_TRUE(stage().setScene(scene));
+  EXPECT_EQ(formFor(hidden)->scene().instances[1].node, 1);
+}
+
+TEST_P(StageChangesTest, NodesMoveWhileLampsComeAndGo) {
+  Scene scene = paintedBalls();
+  scene.rig = {};
+  scene.lights.resize(2);
+  addNodes(scene);
+  ASSERT_TRUE(stage().setScene(scene));
+  ASSERT_TRUE(stage().setLights({ModelLight()}));
+  ASSERT_TRUE(stage().setNode(0, {.translation = {0.0, 1.0, 0.0}}));
+  EXPECT_EQ(stage().scene().lights[0].position, glm::vec3(0.0f)) << "it is of no node";
+  EXPECT_EQ(glm::vec3(stage().scene().instances[0].world_from_object[3]), glm::vec3(0, 1, 0));
 }
 
 TEST_P(StageChangesTest, ANodeMovesWhatIsBelowIt) {

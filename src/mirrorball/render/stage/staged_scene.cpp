@@ -36,12 +36,17 @@ Result<gl::Texture> wordsOf(const BodyTree& tree, const char* what) {
 
 Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike,
                                                        const LevelsOfMaps& levels) {
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, alike ? &alike->buffers_ : nullptr, levels));
+  std::vector<const SceneBuffers*> all;
+  if (alike) all.push_back(&alike->buffers_);
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, all, levels));
   return std::shared_ptr<StagedScene>(new StagedScene(std::move(scene), std::move(buffers)));
 }
 
-Result<void> StagedScene::become(std::shared_ptr<const Scene> scene, unsigned changed, const LevelsOfMaps& levels) {
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, &buffers_, levels));
+Result<void> StagedScene::become(std::shared_ptr<const Scene> scene, unsigned changed, const StagedScene* alike,
+                                 const LevelsOfMaps& levels) {
+  std::vector<const SceneBuffers*> all{&buffers_};
+  if (alike) all.push_back(&alike->buffers_);
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, kUnitsOfMaterial, all, levels));
   const std::shared_ptr<const Scene> before = std::exchange(scene_, std::move(scene));
   const bool has_same_meshes = (changed & StagePart::meshes) == 0;
   if (has_same_meshes && (changed & (StagePart::transforms | StagePart::shapes)) == 0) buffers.keepAround(buffers_);

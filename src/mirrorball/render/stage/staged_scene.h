@@ -46,9 +46,11 @@ class StagedScene {
   /// before stays, too.
   ///
   /// changed  differingParts() of the two
+  /// alike    another form of it, with which it shares likewise; optional
   /// levels   of textures, where they were made before
   /// errors   too_large (a texture for this driver); then it is as before
-  Result<void> become(std::shared_ptr<const Scene> scene, unsigned changed, const LevelsOfMaps& levels = {});
+  Result<void> become(std::shared_ptr<const Scene> scene, unsigned changed, const StagedScene* alike = {},
+                      const LevelsOfMaps& levels = {});
 
   // Must be called when a part of the scene has become another one.
   void transformChanged(std::size_t instance);

@@ -1,6 +1,7 @@
 #include "mirrorball/render/surface/scene_buffers.h"
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -99,11 +100,12 @@ std::vector<std::uint32_t> boxCorners(std::size_t boxes) {
 ///
 /// make     (source) → Result<Made>
 template <typename Source, typename Made, typename Make>
-Result<void> send(const std::vector<Shared<Source>>& sources, const std::vector<SentPointer<Source, Made>>* known,
+Result<void> send(const std::vector<Shared<Source>>& sources,
+                  const std::vector<const std::vector<SentPointer<Source, Made>>*>& known,
                   std::vector<SentPointer<Source, Made>>& sent, const Make& make) {
   std::map<const Source*, SentPointer<Source, Made>> all;
-  if (known)
-    for (const auto& each : *known) all.emplace(&*each->source, each);
+  for (const auto* of_scene : known)
+    for (const auto& each : *of_scene) all.emplace(&*each->source, each);
   for (const Shared<Source>& source : sources) {
     SentPointer<Source, Made>& place = all[&*source];
     if (!place) {
@@ -115,9 +117,17 @@ Result<void> send(const std::vector<Shared<Source>>& sources, const std::vector<
   return {};
 }
 
+/// The same list of each of them.
+template <typename List>
+std::vector<const List*> allOf(std::span<const SceneBuffers* const> all, List SceneBuffers::*list) {
+  std::vector<const List*> lists;
+  for (const SceneBuffers* each : all) lists.push_back(&(each->*list));
+  return lists;
+}
+
 }  // namespace
 
-Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units, const SceneBuffers* alike,
+Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units, std::span<const SceneBuffers* const> alike,
                                         const LevelsOfMaps& levels) {
   SceneBuffers buffers;
   buffers.units_ = units;
@@ -126,14 +136,14 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units, const Sce
                                        gl::Buffer(std::span(mesh.indices))),
                        mesh.indices.size()};
   };
-  MIRRORBALL_TRY_VOID(send(scene.meshes, alike ? &alike->meshes_ : nullptr, buffers.meshes_, meshes));
+  MIRRORBALL_TRY_VOID(send(scene.meshes, allOf(alike, &SceneBuffers::meshes_), buffers.meshes_, meshes));
   buffers.prisms_.resize(scene.meshes.size());
   buffers.addOcclusion(scene);
   MIRRORBALL_TRY_VOID(buffers.addMaps(scene, alike, levels));
   const auto heights = [](const HeightTexture& each) { return withName("heights", HeightBuffers::make(each)); };
-  MIRRORBALL_TRY_VOID(send(scene.height_textures, alike ? &alike->heights_ : nullptr, buffers.heights_, heights));
+  MIRRORBALL_TRY_VOID(send(scene.height_textures, allOf(alike, &SceneBuffers::heights_), buffers.heights_, heights));
   const auto slopes = [](const Image& each) { return withName("slopes", SlopeBuffer::make(each)); };
-  MIRRORBALL_TRY_VOID(send(scene.slope_textures, alike ? &alike->slopes_ : nullptr, buffers.slopes_, slopes));
+  MIRRORBALL_TRY_VOID(send(scene.slope_textures, allOf(alike, &SceneBuffers::slopes_), buffers.slopes_, slopes));
   buffers.filterMaps(scene, TextureFilter::trilinear, 1.0f);
   return Result<SceneBuffers>(std::move(buffers));
 }
@@ -149,47 +159,72 @@ void SceneBuffers::addOcclusion(const Scene& scene) {
   }
 }
 
-Result<void> SceneBuffers::addMaps(const Scene& scene, const SceneBuffers* alike, const LevelsOfMaps& known) {
-  contents_ = contentsOfMaps(scene);
-  std::map<MapContent, std::shared_ptr<MapTexture>> sent;
-  if (alike)
-    for (const auto& each : alike->textures_)
-      if (each) sent.emplace(each->content, each);
+/// Deals out each material's textures.
+///
+/// returns  of each texture whether its levels are needed
+std::vector<bool> SceneBuffers::addSources(const Scene& scene, const SentMaps& sent) {
   std::vector<bool> needs_levels(scene.textures.size(), false);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& material = scene.materials[i];
+  for (const Material& material : scene.materials) {
     std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units_));
+    const bool has_layers = sent.layers.contains(layersOf(material, sources, contents_));
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < sources.size(); ++row) {
       if (sources[row].unit < 0) continue;
       rows.push_back(row);
       const auto index = textureOf(material, row);
       sources[row].has_spread = isNormalMap(materialMaps()[row]) && contents_[index].holds_normals;
-      if (sources[row].layer >= 0 || !sent.contains(contents_[index])) needs_levels[index] = true;
+      const bool is_sent = sources[row].layer >= 0 ? has_layers : sent.textures.contains(contents_[index]);
+      if (!is_sent) needs_levels[index] = true;
     }
     materials_.push_back({std::move(sources), {}, std::move(rows)});
   }
+  return needs_levels;
+}
+
+Result<void> SceneBuffers::addMaps(const Scene& scene, std::span<const SceneBuffers* const> alike,
+                                   const LevelsOfMaps& known) {
+  contents_ = contentsOfMaps(scene);
+  SentMaps sent;
+  for (const SceneBuffers* other : alike) {
+    for (const auto& each : other->textures_)
+      if (each) sent.textures.emplace(each->content, each);
+    for (const MaterialMaps& each : other->materials_)
+      if (each.layers) sent.layers.emplace(each.layers->contents, each.layers);
+  }
+  const std::vector<bool> needs_levels = addSources(scene, sent);
   MIRRORBALL_TRY(levels, makeMapLevels(scene, contents_, needs_levels, known));
   textures_.resize(scene.textures.size());
-  for (std::size_t i = 0; i < materials_.size(); ++i) {
-    const Material& material = scene.materials[i];
-    const std::vector<MapSource>& sources = materials_[i].sources;
-    for (std::size_t row = 0; row < sources.size(); ++row) {
-      if (sources[row].unit < 0 || sources[row].layer >= 0) continue;
-      const auto index = textureOf(material, row);
-      std::shared_ptr<MapTexture>& place = sent[contents_[index]];
-      if (!place) {
-        MIRRORBALL_TRY(made, makeTexture(scene.textures[index], *levels.at(contents_[index])));
-        place =
-            std::make_shared<MapTexture>(MapTexture{contents_[index], scene.textures[index].image, std::move(made)});
-      }
-      textures_[index] = place;
+  for (std::size_t i = 0; i < materials_.size(); ++i) MIRRORBALL_TRY_VOID(addMapsOf(scene, i, levels, sent));
+  return {};
+}
+
+Result<void> SceneBuffers::addMapsOf(const Scene& scene, std::size_t index, const LevelsOfMaps& levels,
+                                     SentMaps& sent) {
+  const Material& material = scene.materials[index];
+  const std::vector<MapSource>& sources = materials_[index].sources;
+  std::vector<SharedPicture> pictures;
+  for (const std::size_t row : materials_[index].rows) {
+    const auto texture = textureOf(material, row);
+    const SharedPicture& picture = scene.textures[texture].image;
+    if (sources[row].layer >= 0) {
+      pictures.push_back(picture);
+      continue;
     }
-    const std::vector<MapContent> layers = layersOf(material, sources, contents_);
-    if (layers.empty()) continue;
-    MIRRORBALL_TRY(array, makeLayers(layers, levels));
-    materials_[i].layers = std::move(array);
+    std::shared_ptr<MapTexture>& place = sent.textures[contents_[texture]];
+    if (!place) {
+      MIRRORBALL_TRY(made, makeTexture(scene.textures[texture], *levels.at(contents_[texture])));
+      place = std::make_shared<MapTexture>(MapTexture{contents_[texture], picture, std::move(made)});
+    }
+    textures_[texture] = place;
   }
+  const std::vector<MapContent> layers = layersOf(material, sources, contents_);
+  if (layers.empty()) return {};
+  std::shared_ptr<LayersOfMaps>& place = sent.layers[layers];
+  if (!place) {
+    MIRRORBALL_TRY(array, makeLayers(layers, levels));
+    place = std::make_shared<LayersOfMaps>(LayersOfMaps{layers, std::move(pictures), std::move(array)});
+  }
+  materials_[index].layers = place;
   return {};
 }
 
@@ -229,7 +264,7 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, const TextureUnits
     if (source.layer < 0)
       textures_[index]->texture.bind(unit, texture_samplers_[index]);
     else
-      maps.layers->bind(unit);
+      maps.layers->array.bind(unit);
   }
   if (units.reads(FrameTexture::heights)) {
     const HeightBuffers& heights = *heightsOf(scene, material);

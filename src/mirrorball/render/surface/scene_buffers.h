@@ -42,10 +42,10 @@ using SentPointer = std::shared_ptr<Sent<Source, Made>>;
 class SceneBuffers {
  public:
   /// units    texture units that each material has
-  /// alike    of another scene, whose meshes and textures are taken where both scenes share them; optional
+  /// alike    of other scenes, whose meshes and textures are taken where this one shares them
   /// levels   of textures, where they were made before
   /// errors   too_large: a texture is larger than the driver takes
-  static Result<SceneBuffers> make(const Scene& scene, int units, const SceneBuffers* alike = nullptr,
+  static Result<SceneBuffers> make(const Scene& scene, int units, std::span<const SceneBuffers* const> alike = {},
                                    const LevelsOfMaps& levels = {});
 
   // What is known of a scene before this one is also of this one.
@@ -81,7 +81,7 @@ class SceneBuffers {
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
   /// Whether some of a material's textures are layers of an array.
-  bool hasLayers(int material) const { return materials_[std::size_t(material)].layers.has_value(); }
+  bool hasLayers(int material) const { return materials_[std::size_t(material)].layers != nullptr; }
   /// A material's heights: gives its map to the shader, and its slopes; null: it has none.
   const HeightBuffers* heightsOf(const Scene& scene, int material) const;
   /// A material's map of slopes, where no heights are shown; null: it has none.
@@ -109,13 +109,25 @@ class SceneBuffers {
     SharedPicture picture;  ///< the content's
     gl::Texture texture;
   };
+  struct LayersOfMaps {
+    std::vector<MapContent> contents;
+    std::vector<SharedPicture> pictures;  ///< the contents'
+    gl::Texture array;
+  };
   struct MaterialMaps {
     std::vector<MapSource> sources;
-    std::optional<gl::Texture> layers;
-    std::vector<std::size_t> rows;  ///< of materialMaps() that have a texture
+    std::shared_ptr<LayersOfMaps> layers;  ///< null: it has none
+    std::vector<std::size_t> rows;         ///< of materialMaps() that have a texture
   };
   void addOcclusion(const Scene& scene);
-  Result<void> addMaps(const Scene& scene, const SceneBuffers* alike, const LevelsOfMaps& known);
+  /// The textures that were sent, by what they hold.
+  struct SentMaps {
+    std::map<MapContent, std::shared_ptr<MapTexture>> textures;
+    std::map<std::vector<MapContent>, std::shared_ptr<LayersOfMaps>> layers;
+  };
+  std::vector<bool> addSources(const Scene& scene, const SentMaps& sent);
+  Result<void> addMaps(const Scene& scene, std::span<const SceneBuffers* const> alike, const LevelsOfMaps& known);
+  Result<void> addMapsOf(const Scene& scene, std::size_t material, const LevelsOfMaps& levels, SentMaps& sent);
   const gl::Sampler* samplerOf(const gl::Sampling& sampling);
 
   SceneBlocks blocks_;

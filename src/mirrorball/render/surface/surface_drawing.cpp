@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <chrono>
 #include <map>
 #include <string>
 #include <utility>
@@ -271,15 +272,24 @@ Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(
     SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const EnvironmentLight& light,
     const FrameUniforms& frame, const FrameSettings& settings) {
   noteFrame(scene, light, frame, settings);
-  std::map<SurfacePrograms::Programs::pointer, int> waiting;  // the first instance of each
+  std::map<SurfaceVariant, int> waiting;  // the first instance of each
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(entry, programs.submit(variantOf(scene, instance, buffers, settings)));
-    if (!entry->second.made) waiting.try_emplace(entry, instance);
+    SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
+    if (!programs.has(variant)) waiting.try_emplace(std::move(variant), instance);
   }
   if (waiting.empty()) return std::optional<MadeProgram>();
-  auto next = std::find_if(waiting.begin(), waiting.end(),
+  // A driver that compiles beside us takes them all at once; one that compiles while we wait is given one.
+  constexpr std::chrono::milliseconds kAtOnce(5);
+  const auto start = std::chrono::steady_clock::now();
+  std::map<SurfacePrograms::Programs::pointer, int> submitted;
+  for (const auto& [variant, instance] : waiting) {
+    MIRRORBALL_TRY(entry, programs.submit(variant));
+    submitted.emplace(entry, instance);
+    if (std::chrono::steady_clock::now() - start > kAtOnce) break;
+  }
+  auto next = std::find_if(submitted.begin(), submitted.end(),
                            [](const auto& each) { return each.first->second.submitted->isReady(); });
-  if (next == waiting.end()) next = waiting.begin();
+  if (next == submitted.end()) next = submitted.begin();
   const auto [entry, instance] = *next;
   MIRRORBALL_TRY_VOID(programs.finish(*entry, *frame.light.proxy));
   made_ = drawOf(scene, instance, *entry);

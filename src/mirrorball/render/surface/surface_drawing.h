@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,8 +31,8 @@ class SurfaceDrawing {
   Result<void> begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, std::uint64_t version,
                      const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
 
-  /// Makes one of the programs that such a frame needs and that there are not, of those the driver has given to it all:
-  /// the first that is ready.
+  /// Makes one of the programs that such a frame needs and that there are not. The driver is given the others, too, as
+  /// far as it compiles them beside us; the first that is ready is made.
   ///
   /// returns  the instance that it is for, which `tryOut` then draws; nothing: all are there
   /// errors   as begin's

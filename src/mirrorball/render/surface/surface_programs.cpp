@@ -61,13 +61,13 @@ Result<void> SurfacePrograms::finish(Programs::reference entry, ProxyUniforms& p
   const SurfaceVariant& variant = entry.first;
   Entry& program = entry.second;
   if (program.made) return {};
+  if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
   auto made = program.submitted->finish();
   if (!made) {
     programs_.erase(variant);
     return fail(std::move(made));
   }
   program.submitted.reset();
-  if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
   program.made.emplace(Program{std::move(*made), TextureUnits(variant)});
   connect(*program.made, variant, proxy);
   return {};

@@ -39,6 +39,11 @@ class SurfacePrograms {
 
   gl::Api api() const { return api_; }
 
+  /// Whether a variant's program is made.
+  bool has(const SurfaceVariant& variant) const {
+    const auto found = programs_.find(variant);
+    return found != programs_.end() && found->second.made;
+  }
   /// Gives a variant's program to the driver when it is first asked for. The entry stays where it is.
   ///
   /// errors   not_found (surfaceShaders)

@@ -105,6 +105,22 @@ std::string_view formulaOf(Generated generated) {
   return kFormulas[static_cast<std::size_t>(generated)];
 }
 
+namespace {
+
+/// A sphere map is addressed by a normal.
+Generated lookedUpBy(Mapping mapping) {
+  switch (mapping) {
+    case Mapping::reflection:
+      return Generated::reflection;
+    case Mapping::normal:
+    case Mapping::sphere:
+      break;
+  }
+  return Generated::normal;
+}
+
+}  // namespace
+
 CoordinateChoice coordinateChoice(const Scene& scene, const FrameSettings& settings) {
   const bool has_pictures = hasPictures(scene);
   const bool is_generated = settings.texgen != Texgen::none;
@@ -113,7 +129,7 @@ CoordinateChoice coordinateChoice(const Scene& scene, const FrameSettings& setti
     choice.look_up = generatedBy(settings.texgen);
     choice.is_sphere_map = settings.texgen == Texgen::sphere;
   } else {
-    choice.look_up = settings.mapping == Mapping::reflection ? Generated::reflection : Generated::normal;
+    choice.look_up = lookedUpBy(settings.mapping);
     choice.is_sphere_map = settings.mapping == Mapping::sphere;
   }
   if (!has_pictures) return choice;

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/animation/pose.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -22,9 +23,10 @@ void turnBitangents(Mesh& mesh) {
   for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
 }
 
-/// A rotation whose −Z is a direction, as lamps shine.
+/// A rotation whose −Z is a direction, as lamps shine; of none, any.
 glm::mat4 facing(glm::vec3 direction) {
-  const glm::vec3 back = -glm::normalize(direction);
+  const float length = glm::length(direction);
+  const glm::vec3 back = length > 0.0f ? -direction / length : glm::vec3(0.0f, 0.0f, 1.0f);
   const glm::vec3 right = formula::anyTangent(back);
   return glm::mat4(glm::vec4(right, 0.0f), glm::vec4(glm::cross(back, right), 0.0f), glm::vec4(back, 0.0f),
                    glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
@@ -39,13 +41,13 @@ bool fitsRig(const Scene& scene) {
     const std::size_t vertices = scene.meshes[std::size_t(part.mesh)]->vertices.size();
     if (part.deformation && vertices != part.deformation->vertices.size()) return false;
   }
-  return scene.rig.camera_nodes.size() <= scene.cameras.size() && scene.rig.light_nodes.size() <= scene.lights.size();
+  return true;
 }
 
 /// errors   bad_shape: the rig is of another scene
 Result<void> checkRig(const Scene& scene) {
   if (fitsRig(scene)) return {};
-  return fail(ErrorCode::bad_shape, "its meshes, cameras and lights are not those that its nodes show");
+  return fail(ErrorCode::bad_shape, "its meshes are not those that its nodes show");
 }
 
 /// Shows a scene's parts where its rig has them at some time.
@@ -84,9 +86,9 @@ class Poser {
         skins_[i].emplace_back(moved);
       }
     }
-    for (std::size_t i = 0; i < rig_.camera_nodes.size(); ++i)
+    for (std::size_t i = 0; i < std::min(rig_.camera_nodes.size(), scene_.cameras.size()); ++i)
       if (const auto rigid = rigidPart(worldOf(rig_.camera_nodes[i]))) scene_.cameras[i].world_from_view = *rigid;
-    for (std::size_t i = 0; i < rig_.light_nodes.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(rig_.light_nodes.size(), scene_.lights.size()); ++i) {
       const auto rigid = rigidPart(worldOf(rig_.light_nodes[i]));
       if (!rigid) continue;
       scene_.lights[i].position = glm::vec3((*rigid)[3]);
@@ -134,12 +136,16 @@ class Poser {
   }
 
   int mirrorImageOf(int mesh) {
-    const auto [found, is_new] = rig_.mirror_images.try_emplace(mesh, 0);
-    if (!is_new) return found->second;
-    Mesh image = scene_.meshes[std::size_t(mesh)];
+    const Shared<Mesh>& upright = scene_.meshes[std::size_t(mesh)];
+    const auto known = rig_.mirror_images.find(mesh);
+    if (known != rig_.mirror_images.end() && known->second.of.isSameAs(upright) &&
+        std::size_t(known->second.mesh) < scene_.meshes.size())
+      return known->second.mesh;
+    Mesh image = *upright;
     turnTriangles(image);
     turnBitangents(image);
-    return found->second = addMesh(std::move(image));
+    const MirrorImage made{upright, addMesh(std::move(image))};
+    return rig_.mirror_images.insert_or_assign(mesh, made).first->second.mesh;
   }
 
   int addMesh(Mesh mesh) {
@@ -176,6 +182,7 @@ Result<Scene> posesTogether(Scene scene, std::size_t animation, std::span<const 
     poser.addInstances(i > 0);
   }
   scene.rig = {};
+  for (Instance& instance : scene.instances) instance.node = -1;
   return scene;
 }
 
@@ -202,6 +209,7 @@ Result<void> placeNode(Scene& scene, std::size_t node, const NodePlace& place) {
 void addNodes(Scene& scene) {
   Rig& rig = scene.rig;
   if (!rig.nodes.empty()) return;
+  rig.world_from_roots = glm::dmat4(1.0);
   const auto add = [&rig](const std::string& name, const glm::mat4& world_from_node) {
     rig.nodes.push_back({.name = name, .place = {.matrix = glm::dmat4(world_from_node)}});
     return static_cast<int>(rig.nodes.size()) - 1;

@@ -16,7 +16,7 @@ namespace mirrorball {
 /// animation  index into the animations of its rig
 /// seconds    before the first key all is as there, and after the last as there
 /// returns    a scene without animations, whose nodes are where they are then
-/// errors     bad_file: a node's place is too large; bad_shape: its meshes were changed since
+/// errors     bad_file: a node's place is too large; bad_shape: bent meshes have other vertices since
 /// cost       a copy of the scene, which a move spares; that of deform (deformation.h) for each mesh that is bent
 Result<Scene> posed(Scene scene, std::size_t animation, double seconds);
 

@@ -9,7 +9,9 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "mirrorball/base/shared.h"
 #include "mirrorball/scene/animation/animation.h"
+#include "mirrorball/scene/mesh.h"
 
 namespace mirrorball {
 
@@ -57,16 +59,23 @@ struct RigPart {
   bool is_mirrored = false;                                 ///< a deformed mesh's triangles are turned round now
 };
 
+/// A mesh's mirror image among the scene's meshes.
+struct MirrorImage {
+  Shared<Mesh> of;  ///< as it was when the image was made
+  int mesh;
+};
+
 /// A model's nodes as a tree, what they show, and what moves them. pose.h puts them elsewhere, and makes scenes of the
 /// moments of its animations.
 struct Rig {
   glm::dmat4 world_from_roots{1.0};
   std::vector<RigNode> nodes = {};
   std::vector<Skin> skins = {};
-  std::vector<RigPart> parts = {};        ///< Scene::instances come from them, in this order
-  std::vector<int> camera_nodes = {};     ///< of each of Scene::cameras
-  std::vector<int> light_nodes = {};      ///< of each of Scene::lights
-  std::map<int, int> mirror_images = {};  ///< of meshes that are not deformed, where the scene has them: by their index
+  std::vector<RigPart> parts = {};     ///< Scene::instances come from them, in this order
+  std::vector<int> camera_nodes = {};  ///< of each of Scene::cameras
+  std::vector<int> light_nodes = {};   ///< of each of Scene::lights
+  std::map<int, MirrorImage> mirror_images =
+      {};  ///< of meshes that are not deformed, where the scene has them: by their index
   std::vector<Animation> animations = {};
 };
 

@@ -31,15 +31,21 @@ double memory() {
   return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
-/// The median time of `act`, made nine times, and drawn to its end [ms].
+/// The time of `act`, drawn to its end [ms].
+double msOf(const std::function<void()>& act) {
+  const auto start = std::chrono::steady_clock::now();
+  act();
+  glFinish();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The median of nine such times.
 double timeOf(const std::function<Result<void>(int turn)>& act) {
   std::vector<double> times;
-  for (int turn = 0; turn < 9; ++turn) {
-    const auto start = std::chrono::steady_clock::now();
-    if (const auto done = act(turn); !done) std::printf("%s\n", done.error().message.c_str());
-    glFinish();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
+  for (int turn = 0; turn < 9; ++turn)
+    times.push_back(msOf([&] {
+      if (const auto done = act(turn); !done) std::printf("%s\n", done.error().message.c_str());
+    }));
   std::sort(times.begin(), times.end());
   return times[times.size() / 2];
 }
@@ -113,12 +119,6 @@ Result<void> measurePrograms(const std::string& model) {
   MIRRORBALL_TRY(scene, loadModel(model));
   MIRRORBALL_TRY_VOID(stage.setScene(std::move(scene)));
   View view(stage);
-  const auto msOf = [](const auto& act) {
-    const auto start = std::chrono::steady_clock::now();
-    act();
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  };
   MIRRORBALL_TRY_VOID(view.draw({.size = {1280, 720}, .samples = 1}));
   MIRRORBALL_TRY_VOID(view.begin({.size = {1280, 720}, .samples = 2, .mapping = Mapping::normal}));
   glFinish();

@@ -240,6 +240,7 @@ void SceneDrawing::drawWhatSeesNothing(const std::vector<int>& order, const Fram
 
 Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light,
                                       const FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(filterMaps(settings.texture_filter));  // by which drivers tell programs apart, too
   MIRRORBALL_TRY(made, surfaces_.makeProgram(device_->surfaces(), scene(), staged_->buffers(), light, frame, settings));
   if (!made) return 0;
   target.bind();

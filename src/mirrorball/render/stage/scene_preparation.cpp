@@ -67,15 +67,12 @@ std::vector<int> meshesWithPrisms(const Scene& scene) {
   return meshes;
 }
 
-bool forgetOcclusion(Scene& scene) {
-  bool knew = false;
+void forgetOcclusion(Scene& scene) {
   for (Instance& instance : scene.instances) {
-    knew = knew || !instance.occlusion.empty();
     instance.occlusion.clear();
     instance.vertex_materials.clear();
     instance.holes.clear();
   }
-  return knew;
 }
 
 Result<void> prepareScene(Scene& scene, const ScenePreparation& preparation, const PreparationMeans& means) {

@@ -35,9 +35,7 @@ SceneOcclusionSettings occlusionSettingsFor(const FrameSettings& settings);
 bool isPrepared(const Scene& scene, const ScenePreparation& preparation);
 
 /// Leaves what vertices knew of a scene that has changed to be found again.
-///
-/// returns  whether they knew something
-bool forgetOcclusion(Scene& scene);
+void forgetOcclusion(Scene& scene);
 
 /// Of a scene that is prepared for ReliefKind::exact, those whose relief is searched for in prisms.
 std::vector<int> meshesWithPrisms(const Scene& scene);

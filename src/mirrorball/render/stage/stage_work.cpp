@@ -7,19 +7,6 @@
 #include "mirrorball/scene/relief/prism_list.h"
 
 namespace mirrorball {
-namespace {
-
-void makePrisms(StageWork::State& state) {
-  const Scene& scene = state.scene;
-  for (const int mesh : meshesWithPrisms(scene)) {
-    const Mesh& base = scene.meshes[std::size_t(mesh)];
-    const Material& material = scene.materials[std::size_t(base.material)];
-    const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
-    state.made.prisms[mesh] = prismList(base, material, heights);
-  }
-}
-
-}  // namespace
 
 StageWork::StageWork(std::unique_ptr<State> state) : state_(std::move(state)) {}
 StageWork::StageWork(StageWork&&) noexcept = default;
@@ -39,7 +26,8 @@ Result<void> StageWork::run(const ProgressFunction& progress) {
     state.has_form = state.makes_form = true;
   }
   MIRRORBALL_TRY_VOID(go_on(kOfForm));
-  if (state.settings.relief == ReliefKind::exact) makePrisms(state);
+  if (state.settings.relief == ReliefKind::exact)
+    for (const int mesh : meshesWithPrisms(state.scene)) state.made.prisms[mesh] = prismList(state.scene, mesh);
   MIRRORBALL_TRY_VOID(go_on(kOfForm + kOfRest));
   if (someRefract(state.scene, RefractionKind::traced, state.settings.refraction)) {
     MIRRORBALL_TRY(tree, bodyTree(state.scene));

@@ -299,10 +299,7 @@ Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh, std::vector<
   std::optional<Prisms>& prisms = prisms_[std::size_t(mesh)];
   const Mesh& base = scene.meshes[std::size_t(mesh)];
   if (prisms || base.indices.empty()) return {};
-  if (list.empty()) {
-    const Material& material = scene.materials[std::size_t(base.material)];
-    list = prismList(base, material, scene.height_textures[std::size_t(material.height_texture)]);
-  }
+  if (list.empty()) list = prismList(scene, mesh);
   MIRRORBALL_TRY(words, withName("the mesh of a relief", gl::Texture::fromWords(list)));
   const std::vector<std::uint32_t> corners = boxCorners(base.indices.size() / 3);
   prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};

@@ -65,7 +65,10 @@ std::vector<glm::vec3> joinedSides(const Mesh& mesh) {
   return joined;
 }
 
-std::vector<glm::uvec4> prismList(const Mesh& mesh, const Material& material, const HeightTexture& heights) {
+std::vector<glm::uvec4> prismList(const Scene& scene, int index) {
+  const Mesh& mesh = scene.meshes[std::size_t(index)];
+  const Material& material = scene.materials[std::size_t(mesh.material)];
+  const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
   constexpr std::size_t kTexelsOfPrism = 16;
   const std::vector<glm::vec3> joined = joinedSides(mesh);
   std::vector<glm::uvec4> words;

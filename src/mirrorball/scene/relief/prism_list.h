@@ -4,9 +4,8 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
-#include "mirrorball/scene/relief/height_texture.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
@@ -17,11 +16,13 @@ namespace mirrorball {
 /// cost     0.3 µs a triangle
 std::vector<glm::vec3> joinedSides(const Mesh& mesh);
 
-/// The triangles of a mesh, for shaders that look for relief below them (shaders/surface/prism.glsl).
+/// The triangles of a mesh whose material has a height texture, for shaders that look for relief below them
+/// (shaders/surface/prism.glsl).
 ///
+/// mesh     index into Scene::meshes
 /// returns  16 texels a triangle: for each corner position and u, normal and v, the second texture coordinates,
 ///          tangent, colour; then joinedSides and heightsBelow, which two halves of a word hold as shares of 65535
 /// cost     256 bytes a triangle
-std::vector<glm::uvec4> prismList(const Mesh& mesh, const Material& material, const HeightTexture& heights);
+std::vector<glm::uvec4> prismList(const Scene& scene, int mesh);
 
 }  // namespace mirrorball

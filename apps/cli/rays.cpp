@@ -3,16 +3,10 @@
 #include <utility>
 
 #include "cli/terminal.h"
-#include "mirrorball/rays/occlusion_cache.h"
-#include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/transfer/normal_space.h"
 
 namespace mirrorball::cli {
-
-Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache) {
-  return findOcclusionOnce(scene, occlusionSettingsFor(look), cache, progressBar("occlusion"));
-}
 
 Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options) {
   const bool to_object = options.to == SurfaceMap::object_normal;

@@ -1,20 +1,13 @@
-#include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/formatted.h"
-#include "cli/interruption.h"
-#include "cli/rays.h"
+#include "cli/picture_paths.h"
 #include "cli/render_frames.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
@@ -68,41 +61,6 @@ struct RenderRequest {
   GivenOptions given;
 };
 
-/// Where a file name has a picture's number: "%04d" as printf has it, or at least two "#", a digit each.
-struct NumberPlace {
-  std::size_t begin;
-  std::size_t length;
-  std::size_t digits;
-};
-
-/// The place that begins at `at`, or none.
-std::optional<NumberPlace> numberPlaceAt(std::string_view path, std::size_t at) {
-  const auto isDigit = [&](std::size_t i) { return i < path.size() && path[i] >= '0' && path[i] <= '9'; };
-  const std::size_t hashes = std::min(path.find_first_not_of('#', at), path.size()) - at;
-  if (hashes >= 2) return NumberPlace{at, hashes, hashes};
-  if (path[at] != '%') return std::nullopt;
-  std::size_t end = at + 1;
-  std::size_t digits = 1;
-  if (path.substr(end).starts_with('0') && isDigit(end + 1)) {
-    const std::size_t first = end + 1;
-    end = isDigit(first + 1) ? first + 2 : first + 1;
-    digits = static_cast<std::size_t>(std::stoul(std::string(path.substr(first, end - first))));
-  }
-  if (!path.substr(end).starts_with('d')) return std::nullopt;
-  return NumberPlace{at, end + 1 - at, digits};
-}
-
-std::vector<NumberPlace> numberPlaces(const std::string& path) {
-  std::vector<NumberPlace> places;
-  const std::size_t name = path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
-  for (std::size_t at = name; at < path.size();) {
-    const auto place = numberPlaceAt(path, at);
-    if (place) places.push_back(*place);
-    at += place ? place->length : 1;
-  }
-  return places;
-}
-
 /// Whether pictures are to go over the length of an animation.
 bool playsAnimation(const RenderRequest& request) {
   const AnimationChoice& choice = request.scene.animation;
@@ -114,45 +72,12 @@ bool turns(const RenderRequest& request) {
   return request.turntable.frames > 0 && (!playsAnimation(request) || request.given.contains("turn"));
 }
 
-/// The pictures that are written: one, or a turntable's with their numbers.
-///
-/// errors   usage
-Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
-  std::string output = request.files.output;
-  const int frames = request.turntable.frames;
-  if (frames == 0) return std::vector{output};
-  if (numberPlaces(output).empty()) {
-    const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
-    output = suffixed(output, "_" + std::string(digits, '#'));
-  }
-  const std::vector<NumberPlace> places = numberPlaces(output);
-  if (places.size() != 1)
-    return fail(ErrorCode::usage, "--output " + output + " has " + std::to_string(places.size()) +
-                                      " places for a picture's number; leave one");
-  std::vector<std::string> paths;
-  for (int frame = 0; frame < frames; ++frame) {
-    std::string number = std::to_string(frame);
-    if (number.size() < places[0].digits) number.insert(0, places[0].digits - number.size(), '0');
-    paths.push_back(std::string(output).replace(places[0].begin, places[0].length, number));
-  }
-  return paths;
-}
-
 /// errors   usage: no such object is in the scene
 Result<void> checkObject(const Turntable& turntable, const Scene& scene) {
   const int objects = static_cast<int>(scene.instances.size());
   if (turntable.turn != Turn::object || turntable.object <= objects) return {};
   return fail(ErrorCode::usage, "--turn " + std::to_string(turntable.object) + ": the model has " +
                                     counted(std::size_t(objects), "object"));
-}
-
-/// errors   usage: a film is asked for
-Result<void> refuseFilm(const std::string& output) {
-  constexpr std::array<std::string_view, 6> kFilms{"mp4", "mov", "webm", "mkv", "avi", "apng"};
-  if (std::ranges::find(kFilms, extensionOf(output)) == kFilms.end()) return {};
-  const std::string pictures = std::filesystem::path(output).stem().string() + "_%04d.png";
-  return fail(ErrorCode::usage, output + ": Mirrorball writes pictures; --frames 90 -o " + pictures +
-                                    " makes those of a turn, and ffmpeg -i " + pictures + " " + output + " the film");
 }
 
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
@@ -175,7 +100,7 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   GivenOptions given = request.given;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
-  if (request.turntable.frames == 0 && !numberPlaces(output).empty())
+  if (request.turntable.frames == 0 && hasNumberPlace(output))
     remark(output + ": is one picture under that very name; --frames N makes several, with numbers in their names");
   const std::string extension = extensionOf(output);
   const bool keeps_alpha = extension == "png" || extension == "exr";
@@ -215,7 +140,11 @@ Result<void> render(const RenderRequest& request) {
     return renderReference(request.scene, request.materials, settings, request.reference, request.given,
                            request.files.output);
   if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
-  MIRRORBALL_TRY(outputs, outputPaths(request));
+  std::vector<std::string> outputs{request.files.output};
+  if (request.turntable.frames > 0) {
+    MIRRORBALL_TRY(numbered, numberedPaths(request.files.output, request.turntable.frames));
+    outputs = std::move(numbered);
+  }
   if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs, clock));

@@ -5,15 +5,14 @@
 
 #include "cli/command_line.h"
 #include "cli/map_inputs.h"
-#include "cli/rays.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/render/settings/frame_checks.h"
 #include "mirrorball/render/settings/idle_options.h"
+#include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -98,7 +97,7 @@ Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const Materia
                           .load_model = {.inside_only = request.inside_only, .animation = request.animation},
                           .up = request.up,
                           .materials = materials,
-                          .relief = look.relief,
+                          .frame = look,
                           .environment = request.environment,
                           .load = {.from = hint, .repair = request.repair}};
 }
@@ -139,16 +138,6 @@ namespace {
 
 std::string nameOf(Quality quality) { return written(kQualityOptions.front(), SceneRequest{.quality = quality}); }
 
-Result<SceneTraits> traitsFor(const Scene& scene, const SceneRequest& request, const GivenOptions& given,
-                              const FrameSettings& look) {
-  SceneTraits traits = traitsOf(scene);
-  traits.can_trace_rays = !request.objects_move;
-  if (!dependsOnHiding(request.quality, traits, given, look)) return traits;
-  MIRRORBALL_TRY(hides, hidesItself(scene));
-  traits.hides_itself = hides;
-  return traits;
-}
-
 }  // namespace
 
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials, FrameSettings& look,
@@ -158,33 +147,22 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
     MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
     names.cache = std::move(of_user);
   }
-  std::string chosen;
-  names.finish = [&, cache = names.cache](Scene& scene) -> Result<void> {
-    const FrameSettings as_given = look;
-    MIRRORBALL_TRY(traits, traitsFor(scene, request, given, look));
-    chosen = fillIn(request.quality, traits, given, look);
-    if (look.occlusion == OcclusionKind::none) return {};
-    Result<void> found = clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, look, cache); });
-    const bool was_asked_for = as_given.self_reflection || as_given.occlusion != OcclusionKind::none;
-    if (found || was_asked_for || found.error().code != ErrorCode::too_large) return found;
-    // What nobody asked for must not end what was asked for.
-    look = as_given;
-    traits.is_huge = true;
-    chosen = fillIn(request.quality, traits, given, look);
-    return {};
-  };
+  names.wishes = TechniqueWishes{request.quality, given, request.objects_move};
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
-  if (inputs && !chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + chosen);
+  if (inputs) look = inputs->frame;
+  if (inputs && !inputs->chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + inputs->chosen);
   return checkedInputs(std::move(inputs), request, outputs);
 }
 
 Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
                            const FrameSettings& look, StageClock& clock) {
   MIRRORBALL_TRY_VOID(withName(request.model, checkExtent(pose)));
-  MIRRORBALL_TRY_VOID(prepareModel(pose, request.up, materials, look.relief));
+  standUpright(pose, request.up);
+  MIRRORBALL_TRY_VOID(changeMaterials(pose, materials));
   // Each is drawn once, and so is not kept for later.
-  if (look.occlusion != OcclusionKind::none)
-    MIRRORBALL_TRY_VOID(clock.time("model: occlusion", [&] { return findSceneOcclusion(pose, look, {}); }));
+  MIRRORBALL_TRY_VOID(clock.time("model: relief, occlusion", [&] {
+    return prepareScene(pose, preparationFor(look), {.progress = progressBar("occlusion")});
+  }));
   return pose;
 }
 

@@ -63,7 +63,7 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 /// Prepares a pose of a model as loadInputs does its first one.
 ///
 /// look     filled in by loadInputs
-/// errors   as changeMaterials', prepareRelief's and findSceneOcclusion's; bad_file (it reaches too far)
+/// errors   as changeMaterials' and prepareScene's; bad_file (it reaches too far)
 Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
                            const FrameSettings& look, StageClock& clock);
 

@@ -312,7 +312,7 @@ Result<void> Changes::changeNode(Shown& shown, Stage* stage) {
 Result<void> Changes::workInThread(const Shown& shown, Stage* stage) {
   what_ = "work in a thread";
   if (!stage) return {};
-  MIRRORBALL_TRY(work, stage->workFor(shown.looks[0]));
+  MIRRORBALL_TRY(work, stage->workFor(shown.looks[0], random_.below(2) == 0));
   Result<void> done;
   std::thread thread([&] { done = work.run(); });
   View meanwhile(*stage);

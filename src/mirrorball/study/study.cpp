@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <set>
 #include <utility>
 
-#include "mirrorball/base/range.h"
-#include "mirrorball/base/text.h"
 #include "mirrorball/metric/picture/comparison_sheet.h"
 #include "mirrorball/metric/picture/heat_map.h"
-#include "mirrorball/rays/occlusion_cache.h"
-#include "mirrorball/rays/seen_from.h"
-#include "mirrorball/render/stage/scene_preparation.h"
+#include "mirrorball/render/stage/technique_choice.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/study/angle_error.h"
+#include "mirrorball/study/shot_plan.h"
 #include "mirrorball/study/subject.h"
 #include "mirrorball/study/traced_frame.h"
 #include "mirrorball/trace/path_tracer.h"
@@ -26,60 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a picture counts for in the progress, about in proportion to its time.
-constexpr std::size_t kStepsOfDrawn = 100;
-constexpr std::size_t kStepsOfTraced = 1000;
-
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// A picture that is to be made of a subject.
-struct PlannedShot {
-  std::string label;
-  std::optional<double> value = {};
-  std::string_view model = {};  ///< built-in; empty: the scene that was given
-  std::string key;              ///< what it shows: those of one key are the same
-  std::string shapes;           ///< its meshes and where they are: likewise
-};
-
-/// What a picture shows of a built-in model; without one, of the scene that was given.
-std::string keyOf(const Subject& subject, std::string_view model, const std::string& change) {
-  std::string key = std::string(model) + " " + std::string(subject.shows) + " " + change;
-  if (!model.empty())
-    for (const std::string_view part : {subject.material, subject.view, subject.parameters})
-      key += " " + std::string(part);
-  return key;
-}
-
-/// Its meshes, with heights as they are shown.
-std::string shapesOf(const Subject& subject, std::string_view model, const std::string& change) {
-  const std::string heights = std::string(subject.shows) + " " + (model.empty() ? "" : std::string(subject.parameters));
-  return std::string(model) + " " + heights + " " + change;
-}
-
-void planSeries(std::vector<PlannedShot>& shots, const Subject& subject, std::string_view model) {
-  for (const double value : subject.series->values) {
-    const std::string label = formatNumber(value);
-    const std::string change = std::string(subject.series->axis) + "=" + label;
-    shots.push_back({label, value, model, keyOf(subject, model, change),
-                     shapesOf(subject, model, subject.series->changes_shapes ? change : "")});
-  }
-}
-
-std::vector<PlannedShot> plannedShots(const Subject& subject, bool is_built_in) {
-  std::vector<PlannedShot> shots;
-  if (is_built_in) {
-    for (const std::string_view model : subject.models) {
-      if (subject.series)
-        planSeries(shots, subject, model);
-      else
-        shots.push_back({std::string(model), {}, model, keyOf(subject, model, ""), shapesOf(subject, model, "")});
-    }
-    return shots;
-  }
-  shots.push_back({.label = "as it is", .key = keyOf(subject, "", ""), .shapes = shapesOf(subject, "", "")});
-  if (subject.series && subject.series->is_of_any_scene) planSeries(shots, subject, "");
-  return shots;
-}
 
 /// A path-traced picture that more than one subject may ask for.
 struct Traced {
@@ -92,10 +35,6 @@ struct Drawn {
   Image radiance;
   DrawCost cost;
 };
-
-std::string tracedKey(const PlannedShot& shot, std::string_view settings) {
-  return shot.key + " " + std::string(settings);
-}
 
 /// How much there is to do, and how much of it is done.
 class Steps {
@@ -181,28 +120,15 @@ Result<Image> Workshop::cosines(const Stage& stage) {
   return cosines;
 }
 
-/// Fills in what a technique's quality says, and finds what vertices are to know.
-Result<void> prepareLook(const Technique& technique, Scene& scene, FrameSettings& frame) {
-  std::set<std::string_view> given = namesOfSettings(technique.settings);
-  given.insert("samples");  // those of all pictures
-  SceneTraits traits = traitsOf(scene);
-  traits.can_trace_rays = true;
-  if (dependsOnHiding(technique.quality, traits, given, frame)) {
-    MIRRORBALL_TRY(hides, hidesItself(scene));
-    traits.hides_itself = hides;
-  }
-  fillIn(technique.quality, traits, given, frame);
-  if (frame.occlusion == OcclusionKind::none) return {};
-  return findOcclusionOnce(scene, occlusionSettingsFor(frame), {});
-}
-
 Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   FrameSettings frame = stage.frame;
   MIRRORBALL_TRY_VOID(applySettings(technique.settings, frame));
   Scene scene = stage.scene;
   MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
   MIRRORBALL_TRY_VOID(prepareRelief(scene, frame.relief));
-  MIRRORBALL_TRY_VOID(prepareLook(technique, scene, frame));
+  TechniqueWishes wishes{technique.quality, namesOfSettings(technique.settings)};
+  wishes.given.insert("samples");  // those of all pictures
+  MIRRORBALL_TRY_VOID(chooseTechniques(scene, wishes, frame));
   MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));
 
   std::vector<double> times_ms;
@@ -320,27 +246,8 @@ Result<StudiedSection> Workshop::section(const Subject& subject, const std::vect
   return section;
 }
 
-/// Which subjects, and which pictures of each.
-using Plan = std::vector<std::pair<const Subject*, std::vector<PlannedShot>>>;
-
-/// All the steps of a plan: each path-traced picture counts once.
-std::size_t stepsOf(const Plan& plan) {
-  std::set<std::string> to_trace;
-  std::size_t to_draw = 0;
-  for (const auto& [subject, shots] : plan)
-    for (const PlannedShot& shot : shots) {
-      to_trace.insert(tracedKey(shot, subject->reference));
-      for (const Technique& technique : subject->techniques) {
-        if (technique.maker == Technique::Maker::renderer)
-          ++to_draw;
-        else
-          to_trace.insert(tracedKey(shot, technique.settings));
-      }
-    }
-  return to_trace.size() * kStepsOfTraced + to_draw * kStepsOfDrawn;
-}
-
-Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings settings, const StudyObserver& observer) {
+Result<Study> studied(RenderInputs inputs, const StudyPlan& plan, StudySettings settings,
+                      const StudyObserver& observer) {
   settings.frame.samples = std::min(settings.frame.samples, settings.paths.value_or(settings.frame.samples));
   settings.frame.resolve = Resolve::radiance;
   MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
@@ -351,8 +258,8 @@ Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings setti
               .size = settings.frame.size,
               .samples = settings.frame.samples,
               .planned = plan.size()};
-  for (const auto& [subject, shots] : plan) {
-    auto section = workshop.section(*subject, shots);
+  for (const PlannedSection& planned : plan) {
+    auto section = workshop.section(*planned.subject, planned.shots);
     if (!section && section.error().code == ErrorCode::interrupted && !study.sections.empty()) return study;
     if (!section) return tl::unexpected<Error>(std::move(section.error()));
     study.sections.push_back(std::move(*section));
@@ -365,20 +272,14 @@ Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings setti
 
 Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& settings,
                     const StudyObserver& observer) {
-  Plan plan;
-  for (const Subject& subject : subjects())
-    if (is_built_in || subject.applies(inputs.scene)) plan.emplace_back(&subject, plannedShots(subject, is_built_in));
+  const StudyPlan plan = is_built_in ? planOfAll() : planFor(inputs.scene);
   return studied(std::move(inputs), plan, settings, observer);
 }
 
 Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view id, const StudySettings& settings,
                                    const ProgressFunction& progress) {
-  const auto subject = findBy(subjects(), id, &Subject::id);
-  if (subject == subjects().end() || !subject->series)
-    return fail(ErrorCode::usage, "there is no subject " + std::string(id) + " with a series");
-  std::vector<PlannedShot> shots;
-  planSeries(shots, *subject, "");
-  MIRRORBALL_TRY(study, studied(std::move(inputs), {{&*subject, std::move(shots)}}, settings, {.progress = progress}));
+  MIRRORBALL_TRY(plan, planOfSeries(id));
+  MIRRORBALL_TRY(study, studied(std::move(inputs), plan, settings, {.progress = progress}));
   return std::move(study.sections.front());
 }
 

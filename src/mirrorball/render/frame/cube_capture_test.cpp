@@ -303,6 +303,36 @@ TEST_P(CubeCaptureTest, TellsItsProgressAndStopsWhenAsked) {
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
 }
 
+TEST_P(CubeCaptureTest, IsConvertedToAnotherProjection) {
+  const Environment light(testing::smoothRadiance, 256);
+  CaptureSettings settings = at({0, 0, 0}, 64);
+  settings.to = Projection::equirect;
+  settings.frame.samples = 2;
+  std::size_t steps = 0;
+  auto map = tryCapture(Scene{}, light, settings, [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 14u);
+    EXPECT_GE(done, steps);
+    steps = done;
+    return true;
+  });
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->projection(), Projection::equirect);
+  EXPECT_EQ(map->face(0).height(), 64);
+  EXPECT_EQ(steps, 14u);
+  const Environment captured(std::move(*map));
+  for (const glm::vec3 direction : {glm::vec3(1, 0, 0), glm::vec3(0.2f, 0.9f, -0.4f), glm::vec3(-0.7f, -0.5f, 0.3f)}) {
+    const glm::vec3 unit = glm::normalize(direction);
+    EXPECT_LT(glm::length(captured.radiance(unit) - testing::smoothRadiance(unit)), 0.01f);
+  }
+}
+
+TEST(CapturePlaces, FarOutsideOfTheSceneAreDoubted) {
+  const BoundingSphere scene{{1.0f, 0.0f, 0.0f}, 2.0f};
+  EXPECT_EQ(doubtOfPlace({1.0f, 20.0f, 0.0f}, scene), std::nullopt);
+  EXPECT_EQ(doubtOfPlace({1.0f, 20.1f, 0.0f}, scene),
+            "1,20.1,0 is far outside of the scene, which lies within 2 units of 1,0,0; the map hardly shows it");
+}
+
 TEST_P(CubeCaptureTest, MoreThanTheDriverDrawsIsRefused) {
   const auto captured = tryCapture(Scene{}, Environment(white, 8), at({0, 0, 0}, 32768), {});
   ASSERT_FALSE(captured);

@@ -8,8 +8,7 @@
 
 namespace mirrorball {
 
-Result<LightUniforms> FrameLight::begin(const StagedScene& staged, const FrameSettings& settings,
-                                        const Camera& camera) {
+Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings& settings, const Camera& camera) {
   MIRRORBALL_TRY_VOID(placeProxy(staged, settings));
   const gl::Api api = device_->context.api();
   MIRRORBALL_TRY(chain, light_->prefilteredChain(api, settings.blur));
@@ -28,7 +27,7 @@ Result<LightUniforms> FrameLight::begin(const StagedScene& staged, const FrameSe
 }
 
 /// What the environment's light comes from, with the shadow on it.
-Result<void> FrameLight::placeProxy(const StagedScene& staged, const FrameSettings& settings) {
+Result<void> FrameLight::placeProxy(StagedScene& staged, const FrameSettings& settings) {
   const std::uint64_t places = staged.version(StagePart::meshes | StagePart::transforms);
   if (placed_in_ != places) proxy_.forgetScene();
   if (placed_in_ != places || proxy_.isOther(settings.proxy)) shadow_of_.reset();
@@ -38,7 +37,7 @@ Result<void> FrameLight::placeProxy(const StagedScene& staged, const FrameSettin
   return makeGroundShadow(staged, settings.environmentFromWorld());
 }
 
-Result<void> FrameLight::makeGroundShadow(const StagedScene& staged, const glm::mat3& environment_from_world) {
+Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& environment_from_world) {
   constexpr int kLights = 256;
   const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
   const ShadowOf wanted{environment_from_world, scene, light_->version()};
@@ -48,7 +47,7 @@ Result<void> FrameLight::makeGroundShadow(const StagedScene& staged, const glm::
   if (const std::uint64_t casters = staged.version(StagePart::meshes); !ground_shadow_ || shadow_casters_ != casters) {
     ground_shadow_.reset();
     proxy_.forgetShadow();
-    MIRRORBALL_TRY(made, GroundShadow::make(device_->context.api(), staged.scene()));
+    MIRRORBALL_TRY(made, GroundShadow::make(device_->context.api(), staged.casters()));
     ground_shadow_ = std::move(made);
     shadow_casters_ = casters;
   }

@@ -29,7 +29,7 @@ class FrameLight {
   ///
   /// returns  valid until the next call
   /// errors   too_large; unsupported (the driver does not compile a shader)
-  Result<LightUniforms> begin(const StagedScene& staged, const FrameSettings& settings, const Camera& camera);
+  Result<LightUniforms> begin(StagedScene& staged, const FrameSettings& settings, const Camera& camera);
 
  private:
   /// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.
@@ -43,8 +43,8 @@ class FrameLight {
     std::uint64_t environment;
     bool operator==(const ShadowOf&) const = default;
   };
-  Result<void> placeProxy(const StagedScene& staged, const FrameSettings& settings);
-  Result<void> makeGroundShadow(const StagedScene& staged, const glm::mat3& environment_from_world);
+  Result<void> placeProxy(StagedScene& staged, const FrameSettings& settings);
+  Result<void> makeGroundShadow(StagedScene& staged, const glm::mat3& environment_from_world);
 
   Device::State* device_;
   StagedLight* light_;

@@ -32,7 +32,7 @@ Result<void> prepareModel(Scene& scene, UpAxis up, const MaterialChanges& materi
 
 Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture) {
   MIRRORBALL_TRY(scene, loadModel(names.model, names.load_model));
-  MIRRORBALL_TRY_VOID(prepareModel(scene, names.up, names.materials, names.relief, largest_texture));
+  MIRRORBALL_TRY_VOID(prepareModel(scene, names.up, names.materials, names.frame.relief, largest_texture));
   return scene;
 }
 
@@ -61,12 +61,23 @@ Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer
   return PreparedLight{std::move(loaded), std::move(prepared)};
 }
 
-std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer,
-                                      const std::function<int()>& largest_texture) {
-  return std::async(besideOthers(), [&names, &observer, largest_texture]() -> Result<Scene> {
+/// A model, and how it is drawn.
+struct PreparedModel {
+  Scene scene;
+  FrameSettings frame;
+  std::string chosen = {};
+};
+
+std::future<Result<PreparedModel>> modelLater(const RenderInputNames& names, const Observer& observer,
+                                              const std::function<int()>& largest_texture) {
+  return std::async(besideOthers(), [&names, &observer, largest_texture]() -> Result<PreparedModel> {
     MIRRORBALL_TRY(scene, observer.timed("model: read", [&] { return loadScene(names, largest_texture); }));
-    if (names.finish) MIRRORBALL_TRY_VOID(names.finish(scene));
-    return scene;
+    PreparedModel model{std::move(scene), names.frame};
+    if (names.wishes) {
+      MIRRORBALL_TRY(chosen, chooseTechniques(model.scene, *names.wishes, model.frame, names.cache, observer));
+      model.chosen = std::move(chosen);
+    }
+    return model;
   });
 }
 
@@ -83,13 +94,13 @@ SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment li
 Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer) {
   // A wrong name is told before anything is loaded.
   MIRRORBALL_TRY_VOID(checkChanges(names.materials));
-  auto scene_later = sceneLater(names, observer, {});
+  auto model_later = modelLater(names, observer, {});
   auto light = loadLight(names, observer);
   // It refers to this frame, and so is waited for before any error returns.
-  auto scene = scene_later.get();
-  if (!scene) return fail(std::move(scene));
+  auto model = model_later.get();
+  if (!model) return fail(std::move(model));
   if (!light) return fail(std::move(light));
-  return inputsOf(names.model, std::move(*scene), std::move(*light), observer);
+  return inputsOf(names.model, std::move(model->scene), std::move(*light), observer);
 }
 
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
@@ -97,17 +108,18 @@ Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Obser
   // None of the three needs the others, but for heights that not every driver takes.
   std::promise<int> largest_texture;
   const std::shared_future<int> largest = largest_texture.get_future().share();
-  auto scene_later = sceneLater(names, observer, [largest] { return largest.get(); });
+  auto model_later = modelLater(names, observer, [largest] { return largest.get(); });
   auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer); });
   auto context = observer.timed("GL: start the driver", [] { return gl::Context::createHeadless(); });
   largest_texture.set_value(context ? context->largestTexture() : std::numeric_limits<int>::max());
-  auto scene = scene_later.get();
+  auto model = model_later.get();
   auto light = light_later.get();
-  if (!scene) return fail(std::move(scene));
+  if (!model) return fail(std::move(model));
   if (!light) return fail(std::move(light));
   if (!context) return fail(std::move(context));
-  return RenderInputs{inputsOf(names.model, std::move(*scene), std::move(light->loaded), observer),
-                      std::move(light->prepared), std::move(*context)};
+  return RenderInputs{inputsOf(names.model, std::move(model->scene), std::move(light->loaded), observer),
+                      std::move(light->prepared), std::move(*context), std::move(model->frame),
+                      std::move(model->chosen)};
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs) {

@@ -8,6 +8,8 @@
 #include "mirrorball/base/observer.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/stage/technique_choice.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/relief/relief.h"
@@ -21,13 +23,14 @@ struct RenderInputNames {
   ModelLoadOptions load_model = {};
   UpAxis up = UpAxis::y;
   MaterialChanges materials = {};
-  ReliefKind relief = ReliefKind::bump;   ///< that will be drawn
-  std::string environment = "studio";     ///< a file or a built-in: loadEnvironment
-  EnvironmentLoadOptions load = {};       ///< of the environment
-  std::optional<CacheFolder> cache = {};  ///< where prefiltered environments are kept, if they are
-  /// What is done to the model last, beside the loading of the environment, as findOcclusion (rays/scene_occlusion.h)
-  /// is.
-  std::function<Result<void>(Scene&)> finish = {};
+  FrameSettings frame = {};            ///< of the pictures
+  std::string environment = "studio";  ///< a file or a built-in: loadEnvironment
+  EnvironmentLoadOptions load = {};    ///< of the environment
+  /// Where prefiltered environments and occlusion are kept, if they are.
+  std::optional<CacheFolder> cache = {};
+  /// What fills in the settings of the frame for the model (chooseTechniques), beside the loading of the environment;
+  /// nothing: they stay as they are.
+  std::optional<TechniqueWishes> wishes = {};
 };
 
 /// What there is to draw.
@@ -40,7 +43,9 @@ struct SceneInputs {
 /// That, and what draws it.
 struct RenderInputs : SceneInputs {
   PreparedEnvironment prepared;
-  gl::Context context;  ///< without a window, current
+  gl::Context context;       ///< without a window, current
+  FrameSettings frame = {};  ///< filled in
+  std::string chosen = {};   ///< what was filled in, as chooseTechniques tells it
 };
 
 /// Prepares a model that was loaded, or a pose of one: its axis up, its materials as told, and for a kind of relief.

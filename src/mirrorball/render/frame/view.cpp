@@ -234,10 +234,10 @@ Result<std::optional<Picked>> View::pick(glm::vec2 place) {
   const glm::ivec2 pixel(glm::floor(place));
   if (glm::any(glm::lessThan(pixel, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(pixel, settings.size)))
     return std::optional<Picked>();
-  MIRRORBALL_TRY(geometry, on.drawing.staged().geometry());
+  MIRRORBALL_TRY(rays, on.drawing.staged().rays());
   const EyeRay ray = EyeRays(on.frame.sample.camera, settings.size).through(place);
   const Scene& shown = on.drawing.scene();
-  std::optional<Picked> picked = pickAlong(ray, shown, *geometry, settings);
+  std::optional<Picked> picked = pickAlong(ray, shown, rays->geometry, settings);
   if (!picked) return picked;
   picked->radiance = on.samples->lastRadiance(pixel);
   const auto mesh = static_cast<std::size_t>(shown.instances[picked->instance].mesh);

@@ -6,7 +6,6 @@
 #include "formula/bsdf.h"
 #include "formula/prefilter.h"
 #include "mirrorball/gl/gl_api.h"
-#include "mirrorball/scene/coarse_mesh.h"
 
 namespace mirrorball {
 namespace {
@@ -52,15 +51,20 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
   return ground;
 }
 
-Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene) {
+std::vector<CoarseMesh> shadowCasters(const Scene& scene) {
+  constexpr std::size_t kTriangles = 1000;
+  std::vector<CoarseMesh> casters;
+  for (const Mesh& mesh : scene.meshes) casters.push_back(coarseMesh(mesh, kTriangles));
+  return casters;
+}
+
+Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMesh>& casters) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, true));
   GroundShadow shadow(std::move(program), std::move(framebuffer));
-  constexpr std::size_t kTriangles = 1000;
-  for (const Mesh& mesh : scene.meshes) {
-    const CoarseMesh coarse = coarseMesh(mesh, kTriangles);
+  for (const CoarseMesh& coarse : casters) {
     constexpr gl::Attribute kPosition{0, 3, 0};
     shadow.casters_.push_back(
         {gl::VertexArray(gl::Buffer(coarse.positions), sizeof(glm::vec3), {&kPosition, 1}, gl::Buffer(coarse.indices)),

@@ -12,6 +12,7 @@
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/scene/coarse_mesh.h"
 #include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball {
@@ -35,6 +36,11 @@ struct GroundLights {
 GroundLights groundLights(const Environment& environment, const LightSampler& sampler,
                           const glm::mat3& environment_from_world, int count);
 
+/// The shapes of a scene's meshes, each by few triangles: enough for their shadows.
+///
+/// cost     as coarseMesh's
+std::vector<CoarseMesh> shadowCasters(const Scene& scene);
+
 /// The shadow of a scene on a level ground: for each place the share of its irradiance that the scene keeps from it.
 /// The model is drawn once a light, pressed flat along its direction (Blinn 1988, "Me and my (fake) shadow"), and the
 /// shadows are added up (Heckbert & Herf 1997, "Simulating soft shadows with graphics hardware").
@@ -43,10 +49,9 @@ class GroundShadow {
   static constexpr int kSize = 512;        ///< texels
   static constexpr float kModelRadii = 4;  ///< from the middle to each side
 
-  /// Takes the shapes of a scene's meshes, each by few triangles.
-  ///
+  /// casters  of a scene
   /// errors   unsupported, no_gl
-  static Result<GroundShadow> make(gl::Api api, const Scene& scene);
+  static Result<GroundShadow> make(gl::Api api, const std::vector<CoarseMesh>& casters);
 
   /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid. Of
   /// surfaces that have a front alone, that is what throws it.

@@ -58,7 +58,7 @@ class Derived {
   /// make   () → Value
   template <typename Make>
   Value& get(const StageVersions& versions, const Make& make) {
-    if (!isOf(versions)) keep(versions, make());
+    if (!has(versions)) keep(versions, make());
     return *value_;
   }
 
@@ -66,7 +66,7 @@ class Derived {
   /// errors make's; then there is none
   template <typename Make>
   Result<Value*> tryGet(const StageVersions& versions, const Make& make) {
-    if (!isOf(versions)) {
+    if (!has(versions)) {
       value_.reset();  // first, since two may not have room
       auto made = make();
       if (!made) return fail(std::move(made));
@@ -75,16 +75,18 @@ class Derived {
     return &*value_;
   }
 
+  /// Whether there is one of the parts as they are now.
+  bool has(const StageVersions& versions) const { return value_ && version_ == versions.of(from_); }
+
   /// Keeps a value that was made elsewhere of the parts as they are now.
   void offer(const StageVersions& versions, Value value) { keep(versions, std::move(value)); }
 
   /// Gives the value away, if there is one of the parts as they are now.
   std::optional<Value> take(const StageVersions& versions) {
-    return isOf(versions) ? std::exchange(value_, std::nullopt) : std::nullopt;
+    return has(versions) ? std::exchange(value_, std::nullopt) : std::nullopt;
   }
 
  private:
-  bool isOf(const StageVersions& versions) const { return value_ && version_ == versions.of(from_); }
   void keep(const StageVersions& versions, Value value) {
     value_.emplace(std::move(value));
     version_ = versions.of(from_);

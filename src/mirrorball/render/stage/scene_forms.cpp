@@ -119,9 +119,9 @@ std::shared_ptr<StagedScene> SceneForms::find(const ScenePreparation& preparatio
   return forms_.back().staged;
 }
 
-Result<std::shared_ptr<StagedScene>> SceneForms::add(const ScenePreparation& preparation, Scene prepared) {
+Result<std::shared_ptr<StagedScene>> SceneForms::add(const ScenePreparation& preparation,
+                                                     std::shared_ptr<Scene> scene) {
   constexpr std::ptrdiff_t kMostUnused = 2;
-  auto scene = std::make_shared<Scene>(std::move(prepared));
   takeNodes(*scene, *given_);
   MIRRORBALL_TRY(staged, StagedScene::make(scene, as_given_.get()));
   const auto is_unused = [](const Form& form) { return form.staged.use_count() == 1; };

@@ -43,7 +43,7 @@ class SceneForms {
   /// Takes a form that was made elsewhere: prepareScene() of this scene.
   ///
   /// errors   too_large (a texture for this driver)
-  Result<std::shared_ptr<StagedScene>> add(const ScenePreparation& preparation, Scene prepared);
+  Result<std::shared_ptr<StagedScene>> add(const ScenePreparation& preparation, std::shared_ptr<Scene> prepared);
 
  private:
   struct Form {

@@ -52,8 +52,8 @@ PreparationMeans Stage::State::means() const {
 Result<std::shared_ptr<StagedScene>> Stage::State::formFor(const FrameSettings& settings) {
   const ScenePreparation preparation = preparationFor(settings);
   if (auto known = scene.find(preparation)) return known;
-  Scene prepared = scene.scene();
-  MIRRORBALL_TRY_VOID(prepareScene(prepared, preparation, means()));
+  auto prepared = std::make_shared<Scene>(scene.scene());
+  MIRRORBALL_TRY_VOID(prepareScene(*prepared, preparation, means()));
   return scene.add(preparation, std::move(prepared));
 }
 
@@ -94,22 +94,35 @@ Result<void> Stage::prepare(const FrameSettings& settings, const ProgressFunctio
   return {};
 }
 
-Result<StageWork> Stage::workFor(const FrameSettings& settings) const {
+Result<StageWork> Stage::workFor(const FrameSettings& settings, bool picks) const {
   MIRRORBALL_TRY_VOID(device().state().context.enter());
   SceneForms& forms = state_->scene;
+  const StagedLight& light = state_->light;
   const ScenePreparation preparation = preparationFor(settings);
   const auto known = forms.find(preparation);
-  return StageWork(std::unique_ptr<StageWork::State>(new StageWork::State{.scene = known ? known->scene() : scene(),
-                                                                          .has_form = known != nullptr,
-                                                                          .settings = settings,
-                                                                          .preparation = preparation,
-                                                                          .means = state_->means(),
-                                                                          .version = forms.version()}));
+  auto work = std::make_unique<StageWork::State>(
+      StageWork::State{.scene = std::make_shared<Scene>(known ? known->scene() : scene()),
+                       .has_form = known != nullptr,
+                       .settings = settings,
+                       .picks = picks,
+                       .preparation = preparation,
+                       .means = state_->means(),
+                       .version = forms.version()});
+  if (known) work->known = known->rows();
+  standOnGround(work->settings);
+  if (work->settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler()) {
+    work->environment = light.sharedEnvironment();
+    work->light_version = light.version();
+  }
+  return StageWork(std::move(work));
 }
 
 Result<bool> Stage::take(StageWork work) {
   StageWork::State& done = work.state();
   SceneForms& forms = state_->scene;
+  StagedLight& light = state_->light;
+  if (done.ground_sampler && done.light_version == light.version())
+    light.takeGroundSampler(std::move(*done.ground_sampler));
   if (!done.has_form || done.version != forms.version()) return false;
   MIRRORBALL_TRY_VOID(device().state().context.enter());
   std::shared_ptr<StagedScene> form = forms.find(done.preparation);

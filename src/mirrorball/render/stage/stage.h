@@ -95,8 +95,9 @@ class Stage {
 
   /// The same in two steps, of which work.run() may be in another thread while this stage is drawn and changes.
   ///
+  /// picks    whether places are picked in the frames, too (View::pick)
   /// errors   no_gl
-  Result<StageWork> workFor(const FrameSettings& settings) const;
+  Result<StageWork> workFor(const FrameSettings& settings, bool picks = false) const;
   /// work     that has run
   /// returns  whether it is of use; not if the scene has changed since workFor
   /// errors   no_gl; too_large (a texture for this driver)

@@ -19,6 +19,7 @@
 #include "mirrorball/render/stage/scene_difference.h"
 #include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/render/stage/stage_testing.h"
+#include "mirrorball/render/stage/stage_work_state.h"
 #include "mirrorball/scene/animation/pose.h"
 
 namespace mirrorball {
@@ -288,6 +289,43 @@ TEST_P(StageChangesTest, WorkMakesThePrismsOfARelief) {
   ASSERT_TRUE(stage().prepare(exact));
   View view(stage());
   EXPECT_EQ(pictureOf(view, exact), truth);
+}
+
+TEST_P(StageChangesTest, WorkMakesWhatAShadowAndPickingNeed) {
+  FrameSettings on_ground = smallFrame();
+  on_ground.stands = true;
+  const std::vector<float> truth = pictureOfNewDevice(on_ground);
+  StagedScene& form = *forms().find(preparationFor(on_ground));
+  EXPECT_FALSE(form.rows().casters || form.rows().rays || stage().state().light.hasGroundSampler());
+  Result<StageWork> work = stage().workFor(on_ground, true);
+  ASSERT_TRUE(work);
+  std::optional<Result<void>> done;
+  std::thread([&] { done = work->run(); }).join();
+  ASSERT_TRUE(*done);
+  EXPECT_FALSE(form.rows().casters || form.rows().rays || stage().state().light.hasGroundSampler());
+  ASSERT_TRUE(stage().take(std::move(*work)));
+  EXPECT_TRUE(form.rows().casters && form.rows().rays && stage().state().light.hasGroundSampler());
+  View view(stage());
+  EXPECT_EQ(pictureOf(view, on_ground), truth);
+  const auto picked = view.pick({8, 8});
+  ASSERT_TRUE(picked) << picked.error().message;
+
+  // What is there is not made again.
+  Result<StageWork> again = stage().workFor(on_ground, true);
+  ASSERT_TRUE(again);
+  ASSERT_TRUE(again->run());
+  EXPECT_FALSE(again->state().made.casters || again->state().made.rays || again->state().ground_sampler);
+}
+
+TEST_P(StageChangesTest, WorkOfAnotherEnvironmentLeavesItsLight) {
+  FrameSettings on_ground = smallFrame();
+  on_ground.stands = true;
+  Result<StageWork> work = stage().workFor(on_ground);
+  ASSERT_TRUE(work);
+  ASSERT_TRUE(work->run());
+  ASSERT_TRUE(stage().setEnvironment(Environment(stage().state().light.environment())));
+  ASSERT_TRUE(stage().take(std::move(*work)));
+  EXPECT_FALSE(stage().state().light.hasGroundSampler());
 }
 
 TEST_P(StageChangesTest, WorkForASceneThatHasChangedIsOfNoUse) {

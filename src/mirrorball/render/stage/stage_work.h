@@ -17,8 +17,9 @@ class StageWork {
   StageWork& operator=(StageWork&&) noexcept;
   ~StageWork();
 
-  /// Does it, once: the relief that the frames show (prepareRelief), what vertices know of the scene
-  /// (findOcclusionOnce), and the prisms and trees of triangles that rays in shaders go through. No OpenGL is called.
+  /// Does what the stage has not yet, once: the relief that the frames show (prepareRelief), what vertices know of the
+  /// scene (findOcclusionOnce), the prisms and trees of triangles that rays in shaders go through, where a ground's
+  /// shadow comes from and what throws it, and the triangles in which places are picked. No OpenGL is called.
   ///
   /// progress  may be called from several threads, but not at once
   /// errors    interrupted; as those functions'

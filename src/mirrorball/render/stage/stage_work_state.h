@@ -1,7 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
+#include "mirrorball/bake/light_sampler.h"
+#include "mirrorball/environment/environment.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/render/stage/stage_work.h"
@@ -12,15 +16,22 @@ namespace mirrorball {
 
 /// What work is made from, and what was made.
 struct StageWork::State {
-  Scene scene;  ///< the stage's; in the form that the frames show, once that is there
+  /// A copy of the stage's; in the form that the frames show, once that is there.
+  std::shared_ptr<Scene> scene;
   bool has_form = false;
   FrameSettings settings;
+  bool picks = false;
   ScenePreparation preparation;
   PreparationMeans means;
-  std::uint64_t version;  ///< of the scene
+  std::uint64_t version;         ///< of the scene
+  StagedScene::Rows known = {};  ///< what the stage has of that form
+  /// Of whose light a ground's shadow is to be; null: there is none, or it is known where it comes from.
+  std::shared_ptr<const Environment> environment = {};
+  std::uint64_t light_version = 0;
 
   bool makes_form = false;  ///< `scene` has become one that the stage has not
   StagedScene::Made made = {};
+  std::optional<LightSampler> ground_sampler = {};
 };
 
 }  // namespace mirrorball

@@ -4,10 +4,15 @@
 
 namespace mirrorball {
 
+Result<LightSampler> makeGroundSampler(const Environment& environment, const ProgressFunction& progress) {
+  constexpr int kTexels = 512;  // about as small as the sun
+  return LightSampler::make(environment, progress, kTexels);
+}
+
 Result<void> StagedLight::set(Environment environment, const PreparedEnvironment& prepared, bool filters_floats) {
   MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
   light_ = std::move(light);
-  environment_ = std::move(environment);
+  environment_ = std::make_shared<const Environment>(std::move(environment));
   versions_.change(StagePart::environment);
   return {};
 }
@@ -32,9 +37,7 @@ Result<const FlatLight*> StagedLight::flatLight(gl::Api api, BlurKind blur) {
 }
 
 Result<const LightSampler*> StagedLight::groundSampler() {
-  constexpr int kTexels = 512;  // about as small as the sun
-  const auto make = [&] { return LightSampler::make(*environment_, {}, kTexels); };
-  MIRRORBALL_TRY(sampler, ground_sampler_.tryGet(versions_, make));
+  MIRRORBALL_TRY(sampler, ground_sampler_.tryGet(versions_, [&] { return makeGroundSampler(*environment_); }));
   return sampler;
 }
 

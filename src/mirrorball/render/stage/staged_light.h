@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "mirrorball/bake/light_sampler.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
@@ -17,6 +20,11 @@
 
 namespace mirrorball {
 
+/// Where an environment is bright, for a shadow on the ground.
+///
+/// errors   as LightSampler's
+Result<LightSampler> makeGroundSampler(const Environment& environment, const ProgressFunction& progress = {});
+
 /// An environment's light on the GPU, and what is computed from it for all views.
 class StagedLight {
  public:
@@ -27,6 +35,7 @@ class StagedLight {
 
   bool has() const { return light_.has_value(); }
   const Environment& environment() const { return *environment_; }
+  const std::shared_ptr<const Environment>& sharedEnvironment() const { return environment_; }
   const EnvironmentLight& light() const { return *light_; }
   /// StageVersions::of the environment.
   std::uint64_t version() const { return versions_.of(StagePart::environment); }
@@ -39,13 +48,14 @@ class StagedLight {
   ///
   /// errors   as prefilteredChain's
   Result<const FlatLight*> flatLight(gl::Api api, BlurKind blur);
-  /// Where it is bright, for a shadow on the ground.
-  ///
-  /// errors   as LightSampler's
+  /// errors   as makeGroundSampler's
   Result<const LightSampler*> groundSampler();
+  bool hasGroundSampler() const { return ground_sampler_.has(versions_); }
+  /// Made elsewhere by makeGroundSampler, of this environment.
+  void takeGroundSampler(LightSampler sampler) { ground_sampler_.offer(versions_, std::move(sampler)); }
 
  private:
-  std::optional<Environment> environment_;
+  std::shared_ptr<const Environment> environment_;
   std::optional<EnvironmentLight> light_;
   StageVersions versions_;
   Derived<GpuPrefilter> gpu_prefilter_{StagePart::environment};

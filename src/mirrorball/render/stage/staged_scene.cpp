@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "mirrorball/render/light/ground_shadow.h"
 #include "mirrorball/render/light/probe_places.h"
 #include "mirrorball/render/stage/scene_difference.h"
 #include "mirrorball/render/stage/scene_preparation.h"
@@ -135,21 +136,30 @@ Result<const std::optional<StagedScene::Triangles>*> StagedScene::triangles() {
   return triangles;
 }
 
-Result<const Geometry*> StagedScene::geometry() {
-  const auto make = [&]() -> Result<Rays> {
-    MIRRORBALL_TRY(made, Geometry::make(scene()));
-    const auto can_be_searched = [](const HeightTexture& each) { return !each.picture.empty(); };
-    const auto& heights = scene().height_textures;
-    if (std::all_of(heights.begin(), heights.end(), can_be_searched)) MIRRORBALL_TRY_VOID(made.makeReliefs(scene()));
-    return Result<Rays>(Rays{scene_, std::move(made)});
-  };
-  MIRRORBALL_TRY(rays, rays_.tryGet(versions_, make));
-  return &rays->geometry;
+Result<const SceneRays*> StagedScene::rays() {
+  MIRRORBALL_TRY(rays, rays_.tryGet(versions_, [&] { return SceneRays::make(scene_); }));
+  return rays;
+}
+
+const std::vector<CoarseMesh>& StagedScene::casters() {
+  return casters_.get(versions_, [&] { return shadowCasters(scene()); });
+}
+
+StagedScene::Rows StagedScene::rows() const {
+  Rows rows{.bodies = bodies_.has(versions_),
+            .triangles = triangles_.has(versions_) || scene_tree_.has(versions_),
+            .rays = rays_.has(versions_),
+            .casters = casters_.has(versions_)};
+  for (int mesh = 0; mesh < static_cast<int>(scene().meshes.size()); ++mesh)
+    if (buffers_.hasPrisms(mesh)) rows.prisms.insert(mesh);
+  return rows;
 }
 
 Result<void> StagedScene::take(Made made) {
   if (made.bodies) bodies_.offer(versions_, std::move(*made.bodies));
   if (made.triangles) scene_tree_.offer(versions_, std::move(*made.triangles));
+  if (made.rays) rays_.offer(versions_, std::move(*made.rays));
+  if (made.casters) casters_.offer(versions_, std::move(*made.casters));
   for (auto& [mesh, list] : made.prisms) MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), mesh, std::move(list)));
   return {};
 }

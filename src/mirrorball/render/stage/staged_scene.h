@@ -13,12 +13,13 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/texture.h"
-#include "mirrorball/rays/geometry.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/derived.h"
+#include "mirrorball/render/stage/scene_rays.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/scene/bodies/body_tree.h"
 #include "mirrorball/scene/box.h"
+#include "mirrorball/scene/coarse_mesh.h"
 #include "mirrorball/scene/mesh_file/positions.h"
 #include "mirrorball/scene/scene.h"
 
@@ -87,19 +88,31 @@ class StagedScene {
   ///
   /// errors   as sceneTree's; too_large (for this driver)
   Result<const std::optional<Triangles>*> triangles();
-  /// For rays on the CPU, with the reliefs below triangles where they can be searched.
-  ///
-  /// errors   as Geometry::make's
-  Result<const Geometry*> geometry();
+  /// errors   as SceneRays::make's
+  Result<const SceneRays*> rays();
+  /// What throws a shadow on a ground: shadowCasters().
+  const std::vector<CoarseMesh>& casters();
   /// Tells the buffers what bodies are met from that lie in others.
   ///
   /// errors   as bodyTree's
   Result<void> findIorAround();
+  /// Rows that take long.
+  struct Rows {
+    bool bodies = false;
+    bool triangles = false;
+    bool rays = false;
+    bool casters = false;
+    std::set<int> prisms = {};  ///< of meshes
+  };
+  /// Those that are there.
+  Rows rows() const;
   /// What of this scene was made elsewhere.
   struct Made {
     std::optional<std::optional<BodyTree>> bodies = {};     ///< bodyTree()
     std::optional<std::optional<BodyTree>> triangles = {};  ///< sceneTree()
     std::map<int, std::vector<glm::uvec4>> prisms = {};     ///< prismList() of meshes
+    std::optional<SceneRays> rays = {};
+    std::optional<std::vector<CoarseMesh>> casters = {};  ///< shadowCasters()
   };
   /// errors   too_large (for this driver)
   Result<void> take(Made made);
@@ -131,11 +144,8 @@ class StagedScene {
                                                StagePart::materials};
   Derived<std::optional<Triangles>> triangles_{StagePart::meshes | StagePart::transforms | StagePart::occlusion |
                                                StagePart::materials};
-  struct Rays {
-    std::shared_ptr<const Scene> scene;  ///< which the geometry reads
-    Geometry geometry;
-  };
-  Derived<Rays> rays_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
+  Derived<SceneRays> rays_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
+  Derived<std::vector<CoarseMesh>> casters_{StagePart::meshes};
   /// Instances whose surroundings the buffers know.
   Derived<std::set<std::size_t>> knows_ior_around_{StagePart::meshes | StagePart::transforms | StagePart::shapes};
 };

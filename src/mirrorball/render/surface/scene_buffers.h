@@ -70,6 +70,7 @@ class SceneBuffers {
   /// list     prismList() of it; empty: it is made here
   /// errors   too_large: the mesh has too many triangles for this driver's textures
   Result<void> makePrisms(const Scene& scene, int mesh, std::vector<glm::uvec4> list = {});
+  bool hasPrisms(int mesh) const { return prisms_[std::size_t(mesh)].has_value(); }
   /// Binds the list of a mesh's prisms to a unit, and draws the boxes around them.
   void bindPrisms(int mesh, int unit) const;
   void drawPrisms(int mesh, int unit) const;

@@ -311,8 +311,9 @@ Result<void> Changes::changeNode(Shown& shown, Stage* stage) {
 /// What the frames need is made in another thread, while the stage draws something else.
 Result<void> Changes::workInThread(const Shown& shown, Stage* stage) {
   what_ = "work in a thread";
+  const bool picks = random_.below(2) == 0;
   if (!stage) return {};
-  MIRRORBALL_TRY(work, stage->workFor(shown.looks[0], random_.below(2) == 0));
+  MIRRORBALL_TRY(work, stage->workFor(shown.looks[0], picks));
   Result<void> done;
   std::thread thread([&] { done = work.run(); });
   View meanwhile(*stage);

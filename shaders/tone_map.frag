@@ -3,7 +3,10 @@
 #include "color.glsl"
 
 uniform sampler2D picture;
-uniform float share;         // what makes a mean of the sum of those samples that there are
+uniform float samples;       // by whose number each was divided before all were added up
+uniform float count;         // of those that there are
+uniform sampler2D counts;    // of the pixels that have finished; 0: as many as there are
+uniform float has_counts;    // 1: `counts` is read
 uniform float as_displayed;  // 1: `picture` is a display's light
 uniform float exposure;
 uniform int tone_map;
@@ -12,7 +15,8 @@ uniform vec4 backdrop;  // linear, premultiplied
 out vec4 fragment;
 
 void main() {
-  vec4 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0) * share;
+  float of_pixel = has_counts > 0.5 ? texelFetch(counts, ivec2(gl_FragCoord.xy), 0).x : 0.0;
+  vec4 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0) * (samples / (of_pixel > 0.0 ? of_pixel : count));
   if (as_displayed < 0.5) light = displayLight(light, exposure, tone_map);
   fragment = encodedPicture(laidOver(light, backdrop));
 }

@@ -91,9 +91,9 @@ Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock) {
 std::vector<std::string> idleForReference(const ReferenceOptions& options, const FrameSettings& frame,
                                           const GivenOptions& given) {
   constexpr auto kOfRenderer = std::to_array<std::string_view>(
-      {"resolve", "blur", "lobe-taps", "mapping", "reflect-at", "texgen", "lookup", "texture-filter", "texture-matrix",
-       "dispersion", "wavelengths", "occlusion", "self-reflection", "probes", "probe-size", "probe-bounces", "behind",
-       "quality"});
+      {"sampling", "resolve", "blur", "lobe-taps", "mapping", "reflect-at", "texgen", "lookup", "texture-filter",
+       "texture-matrix", "dispersion", "wavelengths", "occlusion", "self-reflection", "probes", "probe-size",
+       "probe-bounces", "behind", "quality"});
   std::vector<std::string> idle;
   for (const std::string_view name : kOfRenderer)
     if (given.contains(name)) idle.push_back("--" + std::string(name));

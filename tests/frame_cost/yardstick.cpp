@@ -49,7 +49,7 @@ Result<Yardstick> Yardstick::make() {
   MIRRORBALL_TRY(fragment, gl::shaderSource(gl::Api::desktop43, "yardstick.frag", {}, fragmentNamed));
   MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "the yardstick"));
   MIRRORBALL_TRY(cube, patternedCube());
-  MIRRORBALL_TRY(picture, gl::Framebuffer::make(gl::Format::rgba16f, kSide, kSide, false));
+  MIRRORBALL_TRY(picture, gl::Framebuffer::make(gl::Format::rgba16f, kSide, kSide));
   return Yardstick(std::move(program), std::move(cube), std::move(picture));
 }
 

@@ -301,8 +301,9 @@ const Case& caseNamed(const std::string& name) {
 
 std::string commandOf(const Case& golden_case, const std::string& changed) {
   // So that one sample on the other side of an edge changes a pixel by a 16th of the contrast.
-  return withOption(golden_case.command + std::string(needsGl(golden_case) ? " --quality draft --samples 16" : ""),
-                    changed);
+  return withOption(
+      golden_case.command + std::string(needsGl(golden_case) ? " --quality draft --samples 16 --sampling all" : ""),
+      changed);
 }
 
 std::string drawnCommandOf(const Case& golden_case, const std::string& changed) {

@@ -76,7 +76,7 @@ Result<Image> evaluate(gl::Api api, const std::string& before, const std::string
   MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, name));
   const int count = static_cast<int>(inputs.size());
   MIRRORBALL_TRY(texture, gl::Texture::make2d(gl::Format::rgba32f, count, 3));
-  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, count, 1, false));
+  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, count, 1));
   texture.upload(0, 0, imageOf(inputs));
   texture.bind(0);
   framebuffer.bind();

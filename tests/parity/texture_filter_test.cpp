@@ -85,7 +85,7 @@ TEST_P(TextureFilterTest, ReadsAsTheDriverDoes) {
   ASSERT_TRUE(vertex && fragment);
   auto program = gl::Program::build(*vertex, *fragment, "filter");
   ASSERT_TRUE(program) << program.error().message;
-  auto framebuffer = gl::Framebuffer::make(gl::Format::rgba32f, 96, 96, false);
+  auto framebuffer = gl::Framebuffer::make(gl::Format::rgba32f, 96, 96);
   ASSERT_TRUE(framebuffer) << framebuffer.error().message;
   auto texture = noise();
   ASSERT_TRUE(texture) << texture.error().message;

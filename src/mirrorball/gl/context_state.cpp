@@ -19,6 +19,9 @@ void resetDrawing(Api api) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
+  glStencilFunc(GL_ALWAYS, 0, ~0u);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glStencilMask(~0u);
   glDepthRangef(0.0f, 1.0f);
   glCullFace(GL_BACK);
   glFrontFace(GL_CCW);

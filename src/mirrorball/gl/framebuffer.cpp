@@ -22,7 +22,7 @@ void flipRows(ImageOf<Sample>& image) {
 
 }  // namespace
 
-Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool depth, int levels) {
+Result<Framebuffer> Framebuffer::make(Format color, int width, int height, Depths depths, int levels) {
   MIRRORBALL_TRY(texture, Texture::make2d(color, width, height, levels));
   texture.setSampling({.filter = color == Format::rgba32f ? Sampling::Filter::nearest
                                  : texture.levels() > 1   ? Sampling::Filter::trilinear
@@ -33,10 +33,11 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
   framebuffer.handle_ = Handle<destroyFramebuffer>(name);
   glBindFramebuffer(GL_FRAMEBUFFER, name);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, framebuffer.color_.name(), 0);
-  if (depth) {
-    MIRRORBALL_TRY(depths, Texture::make2d(Format::depth24, width, height));
-    framebuffer.depth_ = std::make_unique<Texture>(std::move(depths));
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, framebuffer.depth_->name(), 0);
+  if (depths != Depths::none) {
+    const Format format = depths == Depths::depths ? Format::depth24 : Format::depth24_stencil8;
+    MIRRORBALL_TRY(made, Texture::make2d(format, width, height));
+    framebuffer.depth_ = std::make_unique<Texture>(std::move(made));
+    framebuffer.shareDepths(framebuffer);
   }
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " + std::to_string(height) +
@@ -50,9 +51,11 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
   return framebuffer;
 }
 
-Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size, bool depth, int levels) {
-  if (framebuffer && framebuffer->width() == size.x && framebuffer->height() == size.y) return {};
-  MIRRORBALL_TRY(made, Framebuffer::make(color, size.x, size.y, depth, levels));
+Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size, Depths depths, int levels) {
+  if (framebuffer && framebuffer->width() == size.x && framebuffer->height() == size.y &&
+      framebuffer->depths() == depths)
+    return {};
+  MIRRORBALL_TRY(made, Framebuffer::make(color, size.x, size.y, depths, levels));
   framebuffer = std::move(made);
   return {};
 }
@@ -64,6 +67,19 @@ void drawOverAll() {
 }
 
 void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+
+Depths Framebuffer::depths() const {
+  if (!depth_) return Depths::none;
+  return depth_->format() == Format::depth24 ? Depths::depths : Depths::depths_and_stencil;
+}
+
+void Framebuffer::shareDepths(const Framebuffer& other) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, 0, 0);  // of another, earlier
+  const bool has_stencil = other.depths() == Depths::depths_and_stencil;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, has_stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+                         other.depth_->name(), 0);
+}
 
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());

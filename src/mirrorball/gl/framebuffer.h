@@ -10,13 +10,19 @@
 
 namespace mirrorball::gl {
 
+/// What a framebuffer has beside its colours.
+enum class Depths { none, depths, depths_and_stencil };
+
 /// A picture to draw into: one colour texture, and a texture of 24-bit depths if wanted.
 class Framebuffer {
  public:
   /// levels   of the colour texture (Texture::make2d), of which the first is drawn into
   /// errors   too_large; no_gl: this driver cannot draw into such a format (floats in OpenGL ES need the extension
   ///          EXT_color_buffer_float)
-  static Result<Framebuffer> make(Format color, int width, int height, bool depth, int levels = 1);
+  static Result<Framebuffer> make(Format color, int width, int height, Depths depths = Depths::none, int levels = 1);
+
+  /// Draws here test the depths and the stencil of another one of the same size, which outlives this.
+  void shareDepths(const Framebuffer& other) const;
 
   /// Draws go here from now on, over the whole picture.
   void bind() const;
@@ -29,6 +35,7 @@ class Framebuffer {
 
   /// The depths, 0 the nearest; of a framebuffer that has them.
   const Texture& depth() const { return *depth_; }
+  Depths depths() const;
 
   int width() const { return color_.width(); }
   int height() const { return color_.height(); }
@@ -48,10 +55,11 @@ class Framebuffer {
   std::unique_ptr<Texture> depth_;
 };
 
-/// Makes a framebuffer of that size, unless there is one; all else is to be the same at each call.
+/// Makes a framebuffer of that size and with such depths, unless there is one; all else is to be the same at each call.
 ///
 /// errors   as Framebuffer::make's
-Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size, bool depth, int levels = 1);
+Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size,
+                    Depths depths = Depths::none, int levels = 1);
 
 /// From now on all that is drawn counts: without depth test, blending and culling.
 void drawOverAll();

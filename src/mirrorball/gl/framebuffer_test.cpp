@@ -30,7 +30,7 @@ void fillLowerLeft(const Framebuffer& framebuffer, glm::vec4 color) {
 
 TEST_P(FramebufferTest, FirstRowReadIsTheTop) {
   for (Format format : {Format::rgba8, Format::srgb8_alpha8, Format::rgba16f, Format::rgba32f}) {
-    auto framebuffer = Framebuffer::make(format, 4, 6, true);
+    auto framebuffer = Framebuffer::make(format, 4, 6, Depths::depths);
     ASSERT_TRUE(framebuffer) << framebuffer.error().message;
     fillLowerLeft(*framebuffer, {1.0f, 0.5f, 0.25f, 0.75f});
     const Image image = framebuffer->readFloat();
@@ -47,8 +47,8 @@ TEST_P(FramebufferTest, FirstRowReadIsTheTop) {
 }
 
 TEST_P(FramebufferTest, BytesAreEncodedAsTheFormatSays) {
-  auto linear = Framebuffer::make(Format::rgba8, 2, 2, false);
-  auto srgb = Framebuffer::make(Format::srgb8_alpha8, 2, 2, false);
+  auto linear = Framebuffer::make(Format::rgba8, 2, 2);
+  auto srgb = Framebuffer::make(Format::srgb8_alpha8, 2, 2);
   ASSERT_TRUE(linear && srgb);
   fillLowerLeft(*linear, glm::vec4(0.5f));
   fillLowerLeft(*srgb, glm::vec4(0.5f));
@@ -59,7 +59,7 @@ TEST_P(FramebufferTest, BytesAreEncodedAsTheFormatSays) {
 }
 
 TEST_P(FramebufferTest, KeepsLightAboveOne) {
-  auto framebuffer = Framebuffer::make(Format::rgba16f, 2, 2, false);
+  auto framebuffer = Framebuffer::make(Format::rgba16f, 2, 2);
   ASSERT_TRUE(framebuffer) << framebuffer.error().message;
   fillLowerLeft(*framebuffer, glm::vec4(1000.0f));
   EXPECT_EQ(framebuffer->readFloat().texel(0, 1)[0], 1000.0f);
@@ -98,7 +98,7 @@ TEST_P(FramebufferTest, NearerTrianglesHideThoseBehind) {
   const std::array<Attribute, 2> kAttributes = {{{0, 3, offsetof(Corner, position)}, {1, 3, offsetof(Corner, color)}}};
   const VertexArray triangles(Buffer{corners}, sizeof(Corner), kAttributes, Buffer{indices});
 
-  auto framebuffer = Framebuffer::make(Format::rgba8, 4, 4, true);
+  auto framebuffer = Framebuffer::make(Format::rgba8, 4, 4, Depths::depths);
   ASSERT_TRUE(framebuffer);
   framebuffer->bind();
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -85,7 +85,7 @@ TEST_P(ProgramTest, TakesUniformsOfEveryType) {
   program->set("list", kList);
   program->set("unused", 1.0f);
 
-  auto framebuffer = Framebuffer::make(Format::rgba32f, 1, 1, false);
+  auto framebuffer = Framebuffer::make(Format::rgba32f, 1, 1);
   ASSERT_TRUE(framebuffer) << framebuffer.error().message;
   framebuffer->bind();
   VertexArray().draw(3);

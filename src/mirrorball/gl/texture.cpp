@@ -37,6 +37,8 @@ GLenum internalFormat(Format format) {
       return GL_RG32F;
     case Format::depth24:
       return GL_DEPTH_COMPONENT24;
+    case Format::depth24_stencil8:
+      return GL_DEPTH24_STENCIL8;
     case Format::rgba32ui:
       return GL_RGBA32UI;
   }
@@ -44,13 +46,15 @@ GLenum internalFormat(Format format) {
   return GL_RGBA8;
 }
 
+bool isDepth(Format format) { return format == Format::depth24 || format == Format::depth24_stencil8; }
+
 int channelsOf(Format format) {
-  return format == Format::r32f || format == Format::depth24 ? 1 : format == Format::rg32f ? 2 : 4;
+  return format == Format::r32f || isDepth(format) ? 1 : format == Format::rg32f ? 2 : 4;
 }
 
 /// Whether OpenGL ES cannot filter it.
 bool isUnfiltered(Format format) {
-  return format == Format::rgba32f || format == Format::r32f || format == Format::rg32f || format == Format::depth24 ||
+  return format == Format::rgba32f || format == Format::r32f || format == Format::rg32f || isDepth(format) ||
          format == Format::rgba32ui;
 }
 

@@ -14,14 +14,15 @@ namespace mirrorball::gl {
 
 /// How texels are kept on the GPU.
 enum class Format {
-  rgba8,         ///< 8 bits, linear
-  srgb8_alpha8,  ///< 8 bits, decoded from sRGB when sampled
-  rgba16f,       ///< half floats: radiance up to 65504
-  rgba32f,       ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
-  r32f,          ///< floats, the first channel alone; not filtered; not drawn into
-  rg32f,         ///< likewise the first two
-  depth24,       ///< depths, 0 to 1, of a Framebuffer: read by single texels
-  rgba32ui,      ///< words that shaders take for what they like; of no mip levels, and not to be filtered
+  rgba8,             ///< 8 bits, linear
+  srgb8_alpha8,      ///< 8 bits, decoded from sRGB when sampled
+  rgba16f,           ///< half floats: radiance up to 65504
+  rgba32f,           ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
+  r32f,              ///< floats, the first channel alone; not filtered; not drawn into
+  rg32f,             ///< likewise the first two
+  depth24,           ///< depths, 0 to 1, of a Framebuffer: read by single texels
+  depth24_stencil8,  ///< the same, with eight bits beside each that draws may ask
+  rgba32ui,          ///< words that shaders take for what they like; of no mip levels, and not to be filtered
 };
 
 /// A 2D texture, an array of them or a cube map, of any number of mip levels. Texel rows are as in Image: row 0 is at

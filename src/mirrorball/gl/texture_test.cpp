@@ -188,7 +188,7 @@ TEST_P(TextureTest, CubesAreFilteredAcrossTheirEdges) {
   for (int face = 0; face < 6; ++face) {
     cube->upload(0, face, Image(2, 2, 1, face == 0 ? 1.0f : 0.0f));  // +X is white
   }
-  auto framebuffer = Framebuffer::make(Format::rgba8, 1, 1, false);
+  auto framebuffer = Framebuffer::make(Format::rgba8, 1, 1);
   ASSERT_TRUE(framebuffer);
   const VertexArray triangle;
   const auto seenAlong = [&](glm::vec3 direction) {

@@ -52,7 +52,7 @@ class UniformBlockTest : public GlTest {
 
   /// The only pixel of what the program draws.
   static glm::vec4 drawn(Program& program) {
-    auto framebuffer = Framebuffer::make(Format::rgba32f, 1, 1, false);
+    auto framebuffer = Framebuffer::make(Format::rgba32f, 1, 1);
     EXPECT_TRUE(framebuffer);
     framebuffer->bind();
     program.use();

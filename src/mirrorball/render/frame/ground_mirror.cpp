@@ -42,13 +42,13 @@ Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
 Result<const gl::Framebuffer*> GroundMirror::begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                                    glm::ivec2 size) {
   below_ = mirroredBelow(camera, ground, bounds);
-  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, true));
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, gl::Depths::depths));
   return &*picture_;
 }
 
 Result<void> GroundMirror::finish(bool is_blurred) {
   MIRRORBALL_TRY_VOID(
-      gl::resize(halves_, gl::Format::rgba16f, {picture_->width(), picture_->height()}, false, kLevels));
+      gl::resize(halves_, gl::Format::rgba16f, {picture_->width(), picture_->height()}, gl::Depths::none, kLevels));
   halves_->bind();
   gl::drawOverAll();
   picture_->color().bind(kFreeUnit);

@@ -248,7 +248,7 @@ TEST_F(RendererTest, ShowsTheMeanOfTheSamplesThatThereAreInAnotherFramebuffer) {
     settings.samples = 9;
     settings.resolve = resolve;
     const Image8 whole = *renderer->render(settings);
-    const auto window = gl::Framebuffer::make(gl::Format::rgba8, 100, 70, false);
+    const auto window = gl::Framebuffer::make(gl::Format::rgba8, 100, 70);
     ASSERT_TRUE(window);
     ASSERT_TRUE(renderer->begin(settings));
     double first = 0.0;

@@ -32,23 +32,38 @@ void setDisplay(gl::Program& program, const FrameSettings& settings) {
 Result<SampleSum> SampleSum::make(gl::Api api) {
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
-  return SampleSum(std::move(accumulate), std::move(tone_map));
+  MIRRORBALL_TRY(mask, PixelMask::make(api));
+  return SampleSum(std::move(accumulate), std::move(tone_map), std::move(mask));
+}
+
+/// Of a display's light alone one can say what is no longer seen to change.
+bool SampleSum::isAdaptive() const {
+  return settings_.sampling == Sampling::adaptive && isDisplayed(settings_) &&
+         settings_.samples > PixelMask::firstSamples(settings_.samples);
 }
 
 Result<void> SampleSum::begin(const FrameSettings& settings) {
   settings_ = settings;
   count_ = 0;
-  MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, true));
+  mask_.begin();
+  const gl::Depths depths = isAdaptive() ? gl::Depths::depths_and_stencil : gl::Depths::depths;
+  MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, depths));
   if (settings.samples == 1) return {};
-  return gl::resize(sum_, gl::Format::rgba32f, settings.size, false);
+  MIRRORBALL_TRY_VOID(gl::resize(sum_, gl::Format::rgba32f, settings.size));
+  if (!isAdaptive()) return {};
+  MIRRORBALL_TRY_VOID(gl::resize(counts_, gl::Format::r32f, settings.size));
+  sum_->shareDepths(*sample_);
+  counts_->shareDepths(*sample_);
+  return {};
 }
 
 void SampleSum::add() {
-  const bool is_first = count_++ == 0;
+  const int count = ++count_;
   if (settings_.samples == 1) return;
   sum_->bind();
   gl::drawOverAll();
-  if (!is_first) {
+  if (isAdaptive()) mask_.limit();
+  if (count > 1) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
   }
@@ -58,6 +73,9 @@ void SampleSum::add() {
   accumulate_.set("share", 1.0f / static_cast<float>(settings_.samples));
   screen_.draw(3);
   glDisable(GL_BLEND);
+  mask_.end();
+  if (isAdaptive())
+    mask_.choose(*counts_, sample_->color(), sum_->color(), settings_.display, count, settings_.samples);
 }
 
 glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
@@ -71,8 +89,12 @@ void SampleSum::show() {
   gl::drawOverAll();
   result().color().bind(kFreeUnit);
   tone_map_.set("picture", kFreeUnit);
-  tone_map_.set("share",
-                settings_.samples > 1 ? static_cast<float>(settings_.samples) / static_cast<float>(count_) : 1.0f);
+  const bool has_counts = isAdaptive() && count_ >= PixelMask::firstSamples(settings_.samples);
+  if (has_counts) counts_->color().bind(kNextFreeUnit);
+  tone_map_.set("counts", kNextFreeUnit);
+  tone_map_.set("has_counts", has_counts ? 1.0f : 0.0f);
+  tone_map_.set("samples", settings_.samples > 1 ? static_cast<float>(settings_.samples) : 1.0f);
+  tone_map_.set("count", settings_.samples > 1 ? static_cast<float>(count_) : 1.0f);
   setDisplay(tone_map_, settings_);
   tone_map_.set("backdrop", backdropOf(settings_));
   screen_.draw(3);
@@ -86,7 +108,7 @@ Image SampleSum::radiance() const {
 }
 
 Result<Image8> SampleSum::picture() {
-  MIRRORBALL_TRY_VOID(gl::resize(display_, gl::Format::rgba8, settings_.size, false));
+  MIRRORBALL_TRY_VOID(gl::resize(display_, gl::Format::rgba8, settings_.size));
   display_->bind();
   show();
   return display_->readBytes();

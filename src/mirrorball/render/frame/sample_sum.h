@@ -8,11 +8,12 @@
 #include "mirrorball/gl/program.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/surface/pixel_mask.h"
 
 namespace mirrorball {
 
-/// The samples of a frame's pixels: the picture that each is drawn into, their mean, and that mean as a display shows
-/// it.
+/// The samples of a frame's pixels: the picture that each is drawn into, of all or of some pixels, their mean, and that
+/// mean as a display shows it.
 class SampleSum {
  public:
   /// errors   unsupported (the driver does not compile a shader)
@@ -23,6 +24,8 @@ class SampleSum {
   /// errors   too_large; no_gl (the driver cannot draw floats)
   Result<void> begin(const FrameSettings& settings);
 
+  /// The pixels that the next sample is drawn of; null: all.
+  PixelMask* mask() { return isAdaptive() ? &mask_ : nullptr; }
   /// What a sample is drawn into: 32-bit floats with depth.
   const gl::Framebuffer& sample() const { return *sample_; }
   /// Takes the picture that is in `sample()` into the mean.
@@ -39,15 +42,18 @@ class SampleSum {
   Result<Image8> picture();
 
  private:
-  SampleSum(gl::Program accumulate, gl::Program tone_map)
-      : accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)) {}
+  SampleSum(gl::Program accumulate, gl::Program tone_map, PixelMask mask)
+      : accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)), mask_(std::move(mask)) {}
+  bool isAdaptive() const;
   const gl::Framebuffer& result() const { return settings_.samples > 1 ? *sum_ : *sample_; }
 
   gl::Program accumulate_;
   gl::Program tone_map_;
   gl::VertexArray screen_;
   std::optional<gl::Framebuffer> sample_;
-  std::optional<gl::Framebuffer> sum_;  ///< when there is more than one sample
+  PixelMask mask_;
+  std::optional<gl::Framebuffer> sum_;     ///< when there is more than one sample
+  std::optional<gl::Framebuffer> counts_;  ///< of the samples of the pixels that have finished, where some may
   std::optional<gl::Framebuffer> display_;
   FrameSettings settings_;
   int count_ = 0;

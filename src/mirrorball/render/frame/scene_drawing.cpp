@@ -37,6 +37,13 @@ void setBlending(bool is_blended) {
   }
 }
 
+/// Makes a picture that is bound ready to be drawn into.
+void clear(const SampleUniforms& sample, glm::vec4 page) {
+  if (sample.mask) return sample.mask->clear(page);
+  glClearColor(page.x, page.y, page.z, page.w);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 }  // namespace
 
 Result<const gl::Texture*> SceneDrawing::drawNearness(const gl::Framebuffer& picture, const FrameUniforms& frame) {
@@ -190,6 +197,7 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
   const float ground = frame.light.proxy->proxy().ground;
   MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample.camera, ground, staged_->bounds(), settings.size));
   frame.sample.camera = ground_mirror_->below();
+  frame.sample.mask = nullptr;
   frame.scene.eye_media = {};
   settings.background = BackgroundKind::transparent;
   if (settings.behind == BehindKind::screen) settings.behind = BehindKind::probes;  // which is another camera's
@@ -209,9 +217,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(beginSurfaces(light, frame, settings));
   target.bind();
-  const glm::vec4 page = pageOf(settings);
-  glClearColor(page.x, page.y, page.z, page.w);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  clear(frame.sample, pageOf(settings));
   glDisable(GL_BLEND);
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
@@ -220,9 +226,26 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   if (settings.showsEnvironment() || (!is_mirrored && showsShadowAlone(settings)))
     device_->background.draw(light, frame, settings);
   if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, staged_->box());
-  MIRRORBALL_TRY_VOID(drawLayers(target, light, frame, settings, layers));
-  drawBlended(frame, settings);
-  return {};
+  keepWhatShowsThrough(layers, frame);
+  const Result<void> drawn = drawLayers(target, light, frame, settings, layers);
+  if (drawn) drawBlended(frame, settings);
+  if (frame.sample.mask) frame.sample.mask->end();
+  return drawn;
+}
+
+/// Tells a frame's mask where something shows through surfaces, whose pixels take all samples.
+void SceneDrawing::keepWhatShowsThrough(const std::vector<ScreenLayer>& layers, const FrameUniforms& frame) {
+  if (!frame.sample.mask || !frame.sample.mask->asksForWhatShowsThrough()) return;
+  frame.sample.mask->beginShowingThrough();
+  const auto keep = [&](const std::vector<int>& instances) {
+    for (const int instance : instances) {
+      chooseCulling(instance, frame);
+      device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera);
+    }
+  };
+  for (const ScreenLayer& layer : layers) keep(layer.instances);
+  keep(byDistance(frame, true));
+  frame.sample.mask->endShowingThrough();
 }
 
 /// Draws those of some instances that do not see the screen through themselves.
@@ -250,7 +273,9 @@ Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const Envir
   const bool is_blended = staged_->traits()[std::size_t(made->instance)].is_blended;
   setBlending(is_blended);
   chooseCulling(made->instance, frame);
+  if (frame.sample.mask) frame.sample.mask->limit();  // by whose test drivers tell programs apart, too
   surfaces_.tryOut(scene(), staged_->buffers(), settings);
+  if (frame.sample.mask) frame.sample.mask->end();
   if (is_blended) setBlending(false);
   return made->left;
 }

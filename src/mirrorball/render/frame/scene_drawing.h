@@ -87,6 +87,7 @@ class SceneDrawing {
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
   const std::vector<int>& byDistance(const FrameUniforms& frame, bool is_blended);
   std::vector<int> sortedByDistance(const FrameUniforms& frame, bool is_blended) const;
+  void keepWhatShowsThrough(const std::vector<ScreenLayer>& layers, const FrameUniforms& frame);
   void drawWhatSeesNothing(const std::vector<int>& order, const FrameUniforms& frame, const FrameSettings& settings);
   void drawInstances(const std::vector<int>& instances, const FrameUniforms& frame, const FrameSettings& settings);
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);

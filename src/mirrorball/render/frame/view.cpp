@@ -192,7 +192,9 @@ Result<int> View::makeProgram() {
   if (!state_->isCurrent()) MIRRORBALL_TRY_VOID(start());
   MIRRORBALL_TRY_VOID(enter());
   OnDevice& on = *state_->on;
-  return on.drawing.makeProgram(on.samples->sample(), on.light.light(), on.frame, *state_->wanted);
+  FrameUniforms frame = on.frame;
+  frame.sample.mask = on.samples->mask();
+  return on.drawing.makeProgram(on.samples->sample(), on.light.light(), frame, *state_->wanted);
 }
 
 Result<int> View::drawSample() {
@@ -207,6 +209,7 @@ Result<int> View::drawSample() {
   FrameUniforms of_sample = on.frame;
   of_sample.sample.camera = shifted(on.frame.sample.camera, offset_px, settings.size);
   of_sample.sample.number = drawn;
+  of_sample.sample.mask = on.samples->mask();
   MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, settings));
   on.samples->add();
   return on.samples->count();

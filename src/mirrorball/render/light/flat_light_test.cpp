@@ -90,7 +90,7 @@ class FlatLightTest : public gl::GlTest {
     for (int x = 0; x < count; ++x) std::copy_n(&all[std::size_t(x)].x, 3, image.texel(x, 0));
     auto inputs = gl::Texture::make2d(gl::Format::rgba32f, count, 1);
     inputs->upload(0, 0, image);
-    auto target = gl::Framebuffer::make(gl::Format::rgba32f, count, 1, false);
+    auto target = gl::Framebuffer::make(gl::Format::rgba32f, count, 1);
     target->bind();
     inputs->bind(0);
     cube.bind(1);

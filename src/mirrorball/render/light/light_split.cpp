@@ -36,9 +36,7 @@ Result<LightSplitPrograms> LightSplitPrograms::load(gl::Api api) {
 }
 
 Result<LightSplit> LightSplit::make(int size, int levels, gl::Format format) {
-  const auto floats = [](int width, int height) {
-    return gl::Framebuffer::make(gl::Format::rgba32f, width, height, false);
-  };
+  const auto floats = [](int width, int height) { return gl::Framebuffer::make(gl::Format::rgba32f, width, height); };
   const int cells_across = partsOf(size);
   MIRRORBALL_TRY(cells, floats(6 * cells_across, cells_across));
   MIRRORBALL_TRY(blocks, floats(partsOf(6 * cells_across), partsOf(cells_across)));

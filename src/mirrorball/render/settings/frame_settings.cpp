@@ -30,6 +30,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .group = "Picture",
       .is_daily = true},
      &FrameSettings::samples},
+    {{.name = "sampling",
+      .choices = "adaptive|all",
+      .help = "which pixels take all samples: adaptive ends with the first two or three where a display would show no "
+              "difference, and goes on at outlines, highlights, bumps and glass; files of radiance take all samples of "
+              "all pixels",
+      .group = "Picture"},
+     choiceField<&FrameSettings::sampling>},
     {{.name = "resolve",
       .choices = "display|radiance",
       .help = "what is averaged over the samples of a pixel: display averages the tone-mapped light that a display "

@@ -67,6 +67,12 @@ enum class Resolve {
   radiance,  ///< radiance, which is tone mapped afterwards
 };
 
+/// Of which pixels a frame's samples are drawn.
+enum class Sampling {
+  adaptive,  ///< after the first ones, of those that are still seen to change; of Resolve::display alone
+  all,
+};
+
 /// All settings of one picture of a scene in an environment.
 struct FrameSettings {
   static constexpr std::size_t kMaxLights = 8;
@@ -89,6 +95,7 @@ struct FrameSettings {
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;                   ///< of each pixel, 1 … 4096
+  Sampling sampling = Sampling::adaptive;
   Resolve resolve = Resolve::display;
   BlurKind blur = BlurKind::exact;
   LobeTaps lobe_taps = LobeTaps::four;  ///< that make up what a rough surface reflects

@@ -61,6 +61,10 @@ constexpr auto kIdle = std::to_array<Idle>({
      [](const Scene& scene, const FrameSettings& settings) {
        return settings.dispersion == DispersionKind::spectral && disperses(scene);
      }},
+    {"sampling", "only pictures of a display's light with more samples than three leave some out",
+     [](const Scene&, const FrameSettings& settings) {
+       return settings.resolve == Resolve::display && settings.samples > 3;
+     }},
     {"lobe-taps", "they are read of light that is prefiltered: {option:blur} exact or gpu",
      [](const Scene&, const FrameSettings& settings) { return settings.blur <= BlurKind::gpu; }},
     {"relief-steps", "only {option:relief} steep, occlusion, linear-binary and cone go in steps",

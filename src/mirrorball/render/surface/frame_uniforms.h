@@ -11,6 +11,7 @@
 #include "mirrorball/render/light/flat_light.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/pixel_mask.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
 #include "mirrorball/scene/box.h"
 #include "mirrorball/scene/camera/camera.h"
@@ -52,6 +53,7 @@ struct ProbeUniforms {
 struct SampleUniforms {
   Camera camera;
   int number = 0;                    ///< of the sample of the frame
+  PixelMask* mask = nullptr;         ///< of the pixels that are drawn; null: of all
   std::span<const int> hidden = {};  ///< instances that are not drawn
 };
 

@@ -21,7 +21,7 @@ Result<NearnessPicture> NearnessPicture::make(gl::Api api) {
 Result<void> NearnessPicture::draw(gl::Api api, const gl::Framebuffer& picture, const FrameUniforms& frame,
                                    float unit) {
   const glm::ivec2 size(picture.width(), picture.height());
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, false));
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);

@@ -29,6 +29,7 @@ void resetDrawing(Api api) {
   glBlendFunc(GL_ONE, GL_ZERO);
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepthf(1.0f);
+  glClearStencil(0);
   resetPlatform(api);
 }
 

@@ -24,9 +24,9 @@ void flipRows(ImageOf<Sample>& image) {
 
 Result<Framebuffer> Framebuffer::make(Format color, int width, int height, Depths depths, int levels) {
   MIRRORBALL_TRY(texture, Texture::make2d(color, width, height, levels));
-  texture.setSampling({.filter = color == Format::rgba32f ? Sampling::Filter::nearest
-                                 : texture.levels() > 1   ? Sampling::Filter::trilinear
-                                                          : Sampling::Filter::linear});
+  texture.setSampling({.filter = color == Format::rgba32f || color == Format::r32f ? Sampling::Filter::nearest
+                                 : texture.levels() > 1                            ? Sampling::Filter::trilinear
+                                                                                   : Sampling::Filter::linear});
   Framebuffer framebuffer(std::move(texture));
   GLuint name = 0;
   glGenFramebuffers(1, &name);
@@ -34,10 +34,10 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, Depth
   glBindFramebuffer(GL_FRAMEBUFFER, name);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, framebuffer.color_.name(), 0);
   if (depths != Depths::none) {
-    const Format format = depths == Depths::depths ? Format::depth24 : Format::depth24_stencil8;
+    const Format format = depths == Depths::alone ? Format::depth24 : Format::depth24_stencil8;
     MIRRORBALL_TRY(made, Texture::make2d(format, width, height));
     framebuffer.depth_ = std::make_unique<Texture>(std::move(made));
-    framebuffer.shareDepths(framebuffer);
+    framebuffer.attachDepths(framebuffer.depth_.get());
   }
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " + std::to_string(height) +
@@ -70,16 +70,26 @@ void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &n
 
 Depths Framebuffer::depths() const {
   if (!depth_) return Depths::none;
-  return depth_->format() == Format::depth24 ? Depths::depths : Depths::depths_and_stencil;
+  return depth_->format() == Format::depth24 ? Depths::alone : Depths::with_stencil;
 }
 
-void Framebuffer::shareDepths(const Framebuffer& other) const {
+/// depths   null: none
+void Framebuffer::attachDepths(const Texture* depths) const {
   glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, 0, 0);  // of another, earlier
-  const bool has_stencil = other.depths() == Depths::depths_and_stencil;
+  if (!depths) return;
+  const bool has_stencil = depths->format() == Format::depth24_stencil8;
   glFramebufferTexture2D(GL_FRAMEBUFFER, has_stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                         other.depth_->name(), 0);
+                         depths->name(), 0);
 }
+
+Result<void> Framebuffer::testDepthsOf(const Framebuffer& other) const {
+  attachDepths(other.depth_.get());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
+  return fail(ErrorCode::no_gl, "the graphics driver cannot draw floats beside a stencil");
+}
+
+void Framebuffer::testNoDepths() const { attachDepths(nullptr); }
 
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());

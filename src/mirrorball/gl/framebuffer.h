@@ -10,10 +10,11 @@
 
 namespace mirrorball::gl {
 
-/// What a framebuffer has beside its colours.
-enum class Depths { none, depths, depths_and_stencil };
+/// The depths that a framebuffer has beside its colours.
+enum class Depths { none, alone, with_stencil };
 
-/// A picture to draw into: one colour texture, and a texture of 24-bit depths if wanted.
+/// A picture to draw into: one colour texture, and a texture of 24-bit depths if wanted, with a stencil of 8 bits or
+/// without.
 class Framebuffer {
  public:
   /// levels   of the colour texture (Texture::make2d), of which the first is drawn into
@@ -21,8 +22,12 @@ class Framebuffer {
   ///          EXT_color_buffer_float)
   static Result<Framebuffer> make(Format color, int width, int height, Depths depths = Depths::none, int levels = 1);
 
-  /// Draws here test the depths and the stencil of another one of the same size, which outlives this.
-  void shareDepths(const Framebuffer& other) const;
+  /// Draws into this one, which has no depths, test those and the stencil of another one of the same size until
+  /// testNoDepths(); the other lives as long.
+  ///
+  /// errors   no_gl: this driver cannot
+  Result<void> testDepthsOf(const Framebuffer& other) const;
+  void testNoDepths() const;
 
   /// Draws go here from now on, over the whole picture.
   void bind() const;
@@ -48,6 +53,7 @@ class Framebuffer {
 
  private:
   static void destroyFramebuffer(unsigned name);
+  void attachDepths(const Texture* depths) const;
   explicit Framebuffer(Texture color) : color_(std::move(color)) {}
 
   Texture color_;

@@ -30,7 +30,7 @@ void fillLowerLeft(const Framebuffer& framebuffer, glm::vec4 color) {
 
 TEST_P(FramebufferTest, FirstRowReadIsTheTop) {
   for (Format format : {Format::rgba8, Format::srgb8_alpha8, Format::rgba16f, Format::rgba32f}) {
-    auto framebuffer = Framebuffer::make(format, 4, 6, Depths::depths);
+    auto framebuffer = Framebuffer::make(format, 4, 6, Depths::alone);
     ASSERT_TRUE(framebuffer) << framebuffer.error().message;
     fillLowerLeft(*framebuffer, {1.0f, 0.5f, 0.25f, 0.75f});
     const Image image = framebuffer->readFloat();
@@ -63,6 +63,57 @@ TEST_P(FramebufferTest, KeepsLightAboveOne) {
   ASSERT_TRUE(framebuffer) << framebuffer.error().message;
   fillLowerLeft(*framebuffer, glm::vec4(1000.0f));
   EXPECT_EQ(framebuffer->readFloat().texel(0, 1)[0], 1000.0f);
+}
+
+// OpenGL ES filters no such floats, and reads black from textures that ask for it.
+TEST_P(FramebufferTest, DoesNotFilterSingleFloats) {
+  for (Format format : {Format::rgba32f, Format::r32f}) {
+    auto framebuffer = Framebuffer::make(format, 2, 2);
+    ASSERT_TRUE(framebuffer) << framebuffer.error().message;
+    glBindTexture(GL_TEXTURE_2D, framebuffer->color().name());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+      GLint kind = 0;
+      glGetTexParameteriv(GL_TEXTURE_2D, filter, &kind);
+      EXPECT_EQ(kind, GL_NEAREST);
+    }
+  }
+}
+
+TEST_P(FramebufferTest, TestsTheStencilOfAnother) {
+  auto marked = Framebuffer::make(Format::rgba32f, 2, 2, Depths::with_stencil);
+  auto other = Framebuffer::make(Format::r32f, 2, 2);
+  ASSERT_TRUE(marked && other);
+  ASSERT_TRUE(other->testDepthsOf(*marked));
+  marked->bind();
+  glClearStencil(0);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, 1, 2);
+  glClearStencil(1);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+  glClearStencil(0);
+
+  const auto leftHalf = [&](bool tests) {
+    auto program = Program::build(*shaderSource(GetParam(), "screen.vert"), *shaderSource(GetParam(), "page.frag"), "");
+    EXPECT_TRUE(program);
+    program->set("page", glm::vec4(1.0f));
+    program->use();
+    other->bind();
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (tests) glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 1, 1);
+    VertexArray().draw(3);
+    glDisable(GL_STENCIL_TEST);
+    const Image drawn = other->readFloat();
+    EXPECT_EQ(drawn.texel(0, 0)[0], 1.0f);
+    return drawn.texel(1, 0)[0] == 0.0f;
+  };
+  EXPECT_TRUE(leftHalf(true));
+  EXPECT_FALSE(leftHalf(false));
+  other->testNoDepths();
+  EXPECT_FALSE(leftHalf(true)) << "without a stencil all passes";
 }
 
 constexpr std::string_view kVertex =
@@ -98,7 +149,7 @@ TEST_P(FramebufferTest, NearerTrianglesHideThoseBehind) {
   const std::array<Attribute, 2> kAttributes = {{{0, 3, offsetof(Corner, position)}, {1, 3, offsetof(Corner, color)}}};
   const VertexArray triangles(Buffer{corners}, sizeof(Corner), kAttributes, Buffer{indices});
 
-  auto framebuffer = Framebuffer::make(Format::rgba8, 4, 4, Depths::depths);
+  auto framebuffer = Framebuffer::make(Format::rgba8, 4, 4, Depths::alone);
   ASSERT_TRUE(framebuffer);
   framebuffer->bind();
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -18,7 +18,7 @@ enum class Format {
   srgb8_alpha8,      ///< 8 bits, decoded from sRGB when sampled
   rgba16f,           ///< half floats: radiance up to 65504
   rgba32f,           ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
-  r32f,              ///< floats, the first channel alone; not filtered; not drawn into
+  r32f,              ///< floats, the first channel alone; not filtered
   rg32f,             ///< likewise the first two
   depth24,           ///< depths, 0 to 1, of a Framebuffer: read by single texels
   depth24_stencil8,  ///< the same, with eight bits beside each that draws may ask

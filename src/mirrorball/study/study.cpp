@@ -126,7 +126,7 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   Scene scene = stage.scene;
   MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
   MIRRORBALL_TRY_VOID(prepareRelief(scene, frame.relief));
-  TechniqueWishes wishes{technique.quality, namesOfSettings(technique.settings)};
+  TechniqueWishes wishes{.quality = technique.quality, .given = namesOfSettings(technique.settings), .needs_all = true};
   wishes.given.insert("samples");  // those of all pictures
   MIRRORBALL_TRY_VOID(chooseTechniques(scene, wishes, frame));
   MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));

@@ -42,7 +42,7 @@ Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
 Result<const gl::Framebuffer*> GroundMirror::begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                                    glm::ivec2 size) {
   below_ = mirroredBelow(camera, ground, bounds);
-  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, gl::Depths::depths));
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, gl::Depths::alone));
   return &*picture_;
 }
 

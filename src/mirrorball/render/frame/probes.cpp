@@ -85,7 +85,7 @@ Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, cons
     MIRRORBALL_TRY(made, ProbeFilter::make(api, size, format, unit));
     filter_ = std::move(made);
   }
-  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), gl::Depths::depths));
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), gl::Depths::alone));
   const auto fill = [&](std::vector<ProbeLight>& lights, std::size_t count) -> Result<void> {
     while (lights.size() > count) lights.pop_back();
     while (lights.size() < count) {

@@ -149,6 +149,9 @@ void setHostsState(gl::Api api) {
     glEnable(capability);
   glScissor(3, 3, 5, 5);
   glStencilFunc(GL_NEVER, 1, 1);
+  glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
+  glStencilMask(0);
+  glClearStencil(7);
   glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_NEVER);
@@ -184,6 +187,12 @@ std::vector<GLint> stateOf(gl::Api api) {
                             GL_DEPTH_WRITEMASK,
                             GL_DEPTH_FUNC,
                             GL_DEPTH_RANGE,
+                            GL_STENCIL_FUNC,
+                            GL_STENCIL_REF,
+                            GL_STENCIL_FAIL,
+                            GL_STENCIL_PASS_DEPTH_PASS,
+                            GL_STENCIL_WRITEMASK,
+                            GL_STENCIL_CLEAR_VALUE,
                             GL_CULL_FACE_MODE,
                             GL_FRONT_FACE,
                             GL_BLEND_EQUATION_RGB,
@@ -233,6 +242,8 @@ TEST_P(RenderersTest, AHostsStateAndOursStayApart) {
   ASSERT_TRUE(renderer.setScene(shape("knot")));
   setHostsState(GetParam());
   EXPECT_EQ(pictureOf(renderer), picture);
+  setHostsState(GetParam());
+  ASSERT_TRUE(renderer.render({.size = {24, 24}, .samples = 8}));  // of some pixels, by a stencil
   ASSERT_TRUE(renderer.leave());
   EXPECT_EQ(stateOf(GetParam()), new_context);
   {

@@ -46,15 +46,18 @@ Result<void> SampleSum::begin(const FrameSettings& settings) {
   settings_ = settings;
   count_ = 0;
   mask_.begin();
-  const gl::Depths depths = isAdaptive() ? gl::Depths::depths_and_stencil : gl::Depths::depths;
+  const gl::Depths depths = isAdaptive() ? gl::Depths::with_stencil : gl::Depths::alone;
   MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, depths));
   if (settings.samples == 1) return {};
   MIRRORBALL_TRY_VOID(gl::resize(sum_, gl::Format::rgba32f, settings.size));
-  if (!isAdaptive()) return {};
+  if (!isAdaptive()) {
+    counts_.reset();
+    sum_->testNoDepths();
+    return {};
+  }
   MIRRORBALL_TRY_VOID(gl::resize(counts_, gl::Format::r32f, settings.size));
-  sum_->shareDepths(*sample_);
-  counts_->shareDepths(*sample_);
-  return {};
+  MIRRORBALL_TRY_VOID(sum_->testDepthsOf(*sample_));
+  return counts_->testDepthsOf(*sample_);
 }
 
 void SampleSum::add() {
@@ -90,7 +93,7 @@ void SampleSum::show() {
   result().color().bind(kFreeUnit);
   tone_map_.set("picture", kFreeUnit);
   const bool has_counts = isAdaptive() && count_ >= PixelMask::firstSamples(settings_.samples);
-  if (has_counts) counts_->color().bind(kNextFreeUnit);
+  (has_counts ? *counts_ : result()).color().bind(kNextFreeUnit);  // what is bound must be floats, read or not
   tone_map_.set("counts", kNextFreeUnit);
   tone_map_.set("has_counts", has_counts ? 1.0f : 0.0f);
   tone_map_.set("samples", settings_.samples > 1 ? static_cast<float>(settings_.samples) : 1.0f);

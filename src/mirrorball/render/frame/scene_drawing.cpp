@@ -240,7 +240,7 @@ void SceneDrawing::keepWhatShowsThrough(const std::vector<ScreenLayer>& layers, 
   const auto keep = [&](const std::vector<int>& instances) {
     for (const int instance : instances) {
       chooseCulling(instance, frame);
-      device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera);
+      device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera, DepthPass::Offset::nearer);
     }
   };
   for (const ScreenLayer& layer : layers) keep(layer.instances);
@@ -286,7 +286,7 @@ void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameU
   for (const int instance : instances) {
     if (!surfaces_.isCostly(instance)) continue;
     chooseCulling(instance, frame);
-    device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera);
+    device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera, DepthPass::Offset::farther);
   }
   // Drivers leave nothing in the processor's caches, and the order is not that of the lists: what a draw needs to know
   // is asked for some draws before.

@@ -62,7 +62,7 @@ Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMes
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
-  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, gl::Depths::depths));
+  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, gl::Depths::alone));
   GroundShadow shadow(std::move(program), std::move(framebuffer));
   for (const CoarseMesh& coarse : casters) {
     constexpr gl::Attribute kPosition{0, 3, 0};

@@ -32,9 +32,9 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      &FrameSettings::samples},
     {{.name = "sampling",
       .choices = "adaptive|all",
-      .help = "which pixels take all samples: adaptive ends with the first two or three where a display would show no "
-              "difference, and goes on at outlines, highlights, bumps and glass; files of radiance take all samples of "
-              "all pixels",
+      .help = "which pixels take all samples: adaptive draws a quarter of them, at least two, everywhere, and goes on "
+              "where a display would show more: at outlines, highlights, bumps, and where something is seen through a "
+              "surface; files of radiance take all samples of all pixels",
       .group = "Picture"},
      choiceField<&FrameSettings::sampling>},
     {{.name = "resolve",

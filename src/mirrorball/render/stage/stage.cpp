@@ -109,8 +109,7 @@ Result<StageWork> Stage::workFor(const FrameSettings& settings, bool picks) cons
                        .means = state_->means(),
                        .version = forms.version()});
   if (known) work->known = known->rows();
-  standOnGround(work->settings);
-  if (work->settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler()) {
+  if (settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler()) {
     work->environment = light.sharedEnvironment();
     work->light_version = light.version();
   }

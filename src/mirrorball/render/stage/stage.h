@@ -99,7 +99,8 @@ class Stage {
   /// errors   no_gl
   Result<StageWork> workFor(const FrameSettings& settings, bool picks = false) const;
   /// work     that has run
-  /// returns  whether it is of use; not if the scene has changed since workFor
+  /// returns  whether it is of use for the scene; not if that has changed since workFor. Where a ground's shadow comes
+  ///          from is taken unless the environment has changed
   /// errors   no_gl; too_large (a texture for this driver)
   Result<bool> take(StageWork work);
 

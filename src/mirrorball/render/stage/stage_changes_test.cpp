@@ -293,7 +293,7 @@ TEST_P(StageChangesTest, WorkMakesThePrismsOfARelief) {
 
 TEST_P(StageChangesTest, WorkMakesWhatAShadowAndPickingNeed) {
   FrameSettings on_ground = smallFrame();
-  on_ground.stands = true;
+  on_ground.proxy.kind = ProxyKind::ground;
   const std::vector<float> truth = pictureOfNewDevice(on_ground);
   StagedScene& form = *forms().find(preparationFor(on_ground));
   EXPECT_FALSE(form.rows().casters || form.rows().rays || stage().state().light.hasGroundSampler());
@@ -319,7 +319,7 @@ TEST_P(StageChangesTest, WorkMakesWhatAShadowAndPickingNeed) {
 
 TEST_P(StageChangesTest, WorkOfAnotherEnvironmentLeavesItsLight) {
   FrameSettings on_ground = smallFrame();
-  on_ground.stands = true;
+  on_ground.proxy.kind = ProxyKind::ground;
   Result<StageWork> work = stage().workFor(on_ground);
   ASSERT_TRUE(work);
   ASSERT_TRUE(work->run());

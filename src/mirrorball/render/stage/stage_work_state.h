@@ -25,7 +25,7 @@ struct StageWork::State {
   PreparationMeans means;
   std::uint64_t version;         ///< of the scene
   StagedScene::Rows known = {};  ///< what the stage has of that form
-  /// Of whose light a ground's shadow is to be; null: there is none, or it is known where it comes from.
+  /// Of whose light a ground's shadow is to be; null: there is none to be made.
   std::shared_ptr<const Environment> environment = {};
   std::uint64_t light_version = 0;
 

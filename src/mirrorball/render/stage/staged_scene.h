@@ -96,10 +96,10 @@ class StagedScene {
   ///
   /// errors   as bodyTree's
   Result<void> findIorAround();
-  /// Rows that take long.
+  /// Rows that take long (Made).
   struct Rows {
     bool bodies = false;
-    bool triangles = false;
+    bool triangles = false;  ///< or their tree alone, which is still to be sent
     bool rays = false;
     bool casters = false;
     std::set<int> prisms = {};  ///< of meshes

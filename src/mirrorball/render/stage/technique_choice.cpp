@@ -28,7 +28,7 @@ Result<std::string> chooseTechniques(Scene& scene, const TechniqueWishes& wishes
     return findOcclusionOnce(scene, occlusionSettingsFor(settings), cache, observer.progressOf("occlusion"));
   });
   if (found) return chosen;
-  const bool was_asked_for = as_given.self_reflection || as_given.occlusion != OcclusionKind::none;
+  const bool was_asked_for = wishes.needs_all || as_given.self_reflection || as_given.occlusion != OcclusionKind::none;
   if (was_asked_for || found.error().code != ErrorCode::too_large) return tl::unexpected<Error>(found.error());
   // What nobody asked for must not end what was asked for.
   settings = as_given;

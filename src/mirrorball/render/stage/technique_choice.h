@@ -19,6 +19,7 @@ struct TechniqueWishes {
   Quality quality = Quality::draft;
   std::set<std::string_view> given = {};  ///< names of options that stay as they are
   bool objects_move = false;              ///< among each other, from picture to picture
+  bool needs_all = false;                 ///< where what is chosen is too large for the scene, that is an error
 };
 
 /// Fills in what a scene needs of what was not given (fillIn), and finds what its vertices are to know. Where that is

@@ -29,7 +29,7 @@ Result<BackFaces> BackFaces::make(gl::Api api) {
 Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                              std::span<const int> hidden) {
   const glm::ivec2 drawn = size + 2 * marginOf(size);
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, drawn, gl::Depths::depths));
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, drawn, gl::Depths::alone));
   const glm::dvec3 shown(glm::dvec2(size) / glm::dvec2(drawn), 1.0);
   const glm::dmat4 clip_from_view = glm::scale(glm::dmat4(1.0), shown) * glm::dmat4(camera.clip_from_view);
   const glm::dvec3 half(glm::dvec2(drawn) / 2.0, 1.0);

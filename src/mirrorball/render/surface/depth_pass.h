@@ -14,9 +14,11 @@ class DepthPass {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<DepthPass> make(gl::Api api);
 
-  /// Draws an instance a little farther away than it is, since another program's depths may round otherwise. Depths are
-  /// tested by GL_LEQUAL then; culling is as it was.
-  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const Camera& camera);
+  /// Another program's depths may round otherwise, so that an instance is drawn where it is and a little more.
+  enum class Offset { farther, nearer };
+
+  /// Depths are tested by GL_LEQUAL; culling is as it was.
+  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const Camera& camera, Offset offset);
 
  private:
   explicit DepthPass(gl::Program program) : program_(std::move(program)) {}

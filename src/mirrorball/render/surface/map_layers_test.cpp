@@ -91,7 +91,7 @@ class Drawing {
     MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
     MIRRORBALL_TRY(table, surfaceBrdfTable());
     MIRRORBALL_TRY(programs, SurfacePrograms::make(api, table));
-    MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, kSide_px, kSide_px, gl::Depths::depths));
+    MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, kSide_px, kSide_px, gl::Depths::alone));
     return Drawing(std::move(light), std::move(programs), std::move(framebuffer));
   }
 

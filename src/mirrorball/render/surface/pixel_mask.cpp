@@ -35,11 +35,12 @@ void PixelMask::clear(glm::vec4 page) {
   if (next_choice_ == 0) {
     glClearColor(page.x, page.y, page.z, page.w);
     glClearStencil(kChanges);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (is_cleared_ ? 0u : GL_STENCIL_BUFFER_BIT));
+    is_cleared_ = true;
     limit();
     return;
   }
-  limit();  // which clearing does not ask
+  limit();  // glClear asks no stencil
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
@@ -19,36 +21,35 @@ class PixelMask {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<PixelMask> make(gl::Api api);
 
-  /// How many samples are drawn of all pixels of a frame: the first pair, whose mean lies in the pixel's middle
-  /// (formula::sampleOffset), and before it the one in the middle if there is one.
-  static int firstSamples(int samples) { return 2 + samples % 2; }
+  /// How many samples are drawn of all pixels of a frame: a quarter of them, at least two. They are whole pairs, whose
+  /// means lie in the pixel's middle (formula::sampleOffset), and of an odd number the one in the middle before them.
+  static int firstSamples(int samples) { return std::max(2, samples / 8 * 2) + samples % 2; }
 
   /// A frame begins: all pixels are drawn.
-  void begin() { next_choice_ = 0; }
+  void begin() { next_choice_ = 0, is_cleared_ = false; }
 
-  /// Clears the pixels that are drawn, of a framebuffer with a stencil that is bound, and lets draws change no others
-  /// until end().
+  /// Makes the framebuffer that is bound, which has a stencil, ready for a sample: clears the pixels that are drawn,
+  /// and lets draws change no others until end().
   void clear(glm::vec4 page);
+  /// Lets draws change the pixels alone that are drawn, of a framebuffer that tests the same stencil, until end().
+  void limit() const;
   void end() const;
 
-  /// Whether what shows something through itself is to be drawn once more between these two, by whatever program: what
-  /// is drawn changes the mask alone.
+  /// Whether the mask wants to be told where something shows through surfaces: what is drawn between the next two
+  /// calls, by whatever program, changes the mask alone.
   bool asksForWhatShowsThrough() const { return next_choice_ == 0; }
   void beginShowingThrough() const;
   void endShowingThrough() const;
 
   /// Takes the pixels out that have finished, after the first samples and each time there are twice as many.
   ///
-  /// counts   shares the stencil: gets the number of their samples
-  /// last     the last sample, as clear() was told of it
+  /// counts   gets the number of their samples; it tests the stencil, too
+  /// last     the last sample's radiance
   /// sum      of all until now, each as a display shows it, divided by `samples`
   /// count    of all until now
   /// samples  of the frame
   void choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum, const Display& display,
               int count, int samples);
-
-  /// Lets draws into a framebuffer that shares the stencil change the pixels alone that are drawn, until end().
-  void limit() const;
 
  private:
   PixelMask(gl::Program page, gl::Program choice) : page_(std::move(page)), choice_(std::move(choice)) {}
@@ -56,7 +57,8 @@ class PixelMask {
   gl::Program page_;
   gl::Program choice_;
   gl::VertexArray screen_;
-  int next_choice_ = 0;  ///< after so many samples; 0: there has been none, and all pixels are drawn
+  bool is_cleared_ = false;  ///< the stencil, for the frame
+  int next_choice_ = 0;      ///< after so many samples; 0: there has been none, and all pixels are drawn
 };
 
 }  // namespace mirrorball

@@ -17,7 +17,7 @@ Result<ReliefHits> ReliefHits::make(gl::Api api) {
 
 Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                               std::span<const int> hidden) {
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, gl::Depths::depths));
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, gl::Depths::alone));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -130,7 +130,7 @@ const std::vector<Technique>& techniques() {
       {"env-rotation", {"0", "40", "200"}},
       {"camera", {"0,10", "40,25", "200,-10"}},
       {"orthographic", {"0", "3"}},
-      {"samples", {"1", "2", "3", "4"}},
+      {"samples", {"1", "2", "4"}},
       {"sampling", {"adaptive", "all"}},
   };
   return all;

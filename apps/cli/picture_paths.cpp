@@ -27,15 +27,15 @@ std::optional<NumberPlace> numberPlaceAt(std::string_view path, std::size_t at) 
   const std::size_t hashes = std::min(path.find_first_not_of('#', at), path.size()) - at;
   if (hashes >= 2) return NumberPlace{at, hashes, hashes};
   if (path[at] != '%') return std::nullopt;
-  std::size_t end = at + 1;
+  std::size_t after = at + 1;
   std::size_t digits = 1;
-  if (path.substr(end).starts_with('0') && isDigit(end + 1)) {
-    const std::size_t first = end + 1;
-    end = isDigit(first + 1) ? first + 2 : first + 1;
-    digits = static_cast<std::size_t>(std::stoul(std::string(path.substr(first, end - first))));
+  if (path.substr(after).starts_with('0') && isDigit(after + 1)) {
+    const std::size_t first = after + 1;
+    after = isDigit(first + 1) ? first + 2 : first + 1;
+    digits = static_cast<std::size_t>(std::stoul(std::string(path.substr(first, after - first))));
   }
-  if (!path.substr(end).starts_with('d')) return std::nullopt;
-  return NumberPlace{at, end + 1 - at, digits};
+  if (!path.substr(after).starts_with('d')) return std::nullopt;
+  return NumberPlace{at, after + 1 - at, digits};
 }
 
 std::vector<NumberPlace> numberPlaces(const std::string& path) {

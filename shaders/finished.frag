@@ -3,10 +3,10 @@
 // neighbours' changes count too, since edges go on from pixel to pixel.
 #include "color.glsl"
 
-uniform sampler2D last;   // a sample's radiance
-uniform sampler2D sum;    // of all until now, of what a display shows of each
-uniform float mean_of_sum;
-uniform float count;      // of them, at least 2
+uniform sampler2D last;     // a sample's radiance
+uniform sampler2D sum;      // of all until now, of what a display shows of each
+uniform float mean_of_sum;  // the factor that makes their mean of it
+uniform float count;        // of them, at least 2
 uniform float exposure;
 uniform int tone_map;
 

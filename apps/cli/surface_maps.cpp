@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "cli/rays.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
@@ -15,6 +14,7 @@
 #include "mirrorball/height_field/slopes.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/height_texture.h"
+#include "mirrorball/transfer/normal_space.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -75,9 +75,23 @@ Result<MadeMap> mapOfHeights(const Image& heights, const SurfaceOptions& options
   return single(std::move(normals), true);
 }
 
-}  // namespace
-
-namespace {
+/// A normal map of a model in the other space; one of tangents has green up or down.
+///
+/// input    its name
+/// errors   as loadModel's and normalsInSpace's
+Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options) {
+  const bool to_object = options.to == SurfaceMap::object_normal;
+  MIRRORBALL_TRY(model, loadModel(options.model, {.inside_only = options.inside_only}));
+  for (const std::string& warning : model.warnings) remark(warning);
+  // What is wrong with the model is said under its name, before the map is looked at.
+  MIRRORBALL_TRY(surface, withName(options.model, MappedSurface::make(model)));
+  MIRRORBALL_TRY_VOID(withName(options.model, TexelCover::make(surface.uvTriangles(), {1, 1}, 1)));
+  if (options.directx && to_object) flipGreen(normals);
+  const NormalSpace space = to_object ? NormalSpace::object : NormalSpace::tangent;
+  MIRRORBALL_TRY(turned, withName(input, normalsInSpace(normals, model, space, progressBar("normals"))));
+  if (options.directx && !to_object) flipGreen(turned);
+  return MadeMap{ImageSet(std::move(turned)), true};
+}
 
 /// A built-in surface by its name.
 std::optional<HeightKind> builtinHeightsNamed(const std::string& name) {

@@ -19,10 +19,6 @@ void copyFace(const Image& picture, Image& face) {
     for (int x = 0; x < face.width(); ++x) std::copy_n(picture.texel(x, face.height() - 1 - y), 3, face.texel(x, y));
 }
 
-/// The side of the faces that are drawn for a map: its own, or what has all the detail that another projection will
-/// show.
-int faceSideFor(Projection to, int size) { return to == Projection::cube ? size : cubeSideFor(texelDensity(to, size)); }
-
 /// Draws the faces.
 Result<EnvironmentMap> captureCube(Renderer& renderer, const CaptureSettings& settings, int side,
                                    const ProgressFunction& progress) {
@@ -55,8 +51,8 @@ Result<EnvironmentMap> captureEnvironment(Renderer& renderer, const CaptureSetti
                                           const ProgressFunction& progress) {
   if (settings.to == Projection::cube) return captureCube(renderer, settings, settings.size, progress);
   const auto samples = static_cast<std::size_t>(settings.frame.samples);
-  MIRRORBALL_TRY(cube, captureCube(renderer, settings, faceSideFor(settings.to, settings.size),
-                                   partOf(progress, 0, 6 * samples, 7 * samples)));
+  const int side = cubeSideFor(texelDensity(settings.to, settings.size));
+  MIRRORBALL_TRY(cube, captureCube(renderer, settings, side, partOf(progress, 0, 6 * samples, 7 * samples)));
   return convert(Environment(std::move(cube)), settings.to, settings.size, {},
                  partOf(progress, 6 * samples, samples, 7 * samples));
 }

@@ -32,8 +32,7 @@ void setDisplay(gl::Program& program, const FrameSettings& settings) {
 Result<SampleSum> SampleSum::make(gl::Api api) {
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
-  MIRRORBALL_TRY(mask, PixelMask::make(api));
-  return SampleSum(std::move(accumulate), std::move(tone_map), std::move(mask));
+  return SampleSum(api, std::move(accumulate), std::move(tone_map));
 }
 
 /// Of a display's light alone one can say what is no longer seen to change.
@@ -45,7 +44,6 @@ bool SampleSum::isAdaptive() const {
 Result<void> SampleSum::begin(const FrameSettings& settings) {
   settings_ = settings;
   count_ = 0;
-  mask_.begin();
   const gl::Depths depths = isAdaptive() ? gl::Depths::with_stencil : gl::Depths::alone;
   MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, depths));
   if (settings.samples == 1) return {};
@@ -55,6 +53,11 @@ Result<void> SampleSum::begin(const FrameSettings& settings) {
     sum_->testNoDepths();
     return {};
   }
+  if (!mask_) {
+    MIRRORBALL_TRY(made, PixelMask::make(api_));
+    mask_ = std::move(made);
+  }
+  mask_->begin();
   MIRRORBALL_TRY_VOID(gl::resize(counts_, gl::Format::r32f, settings.size));
   MIRRORBALL_TRY_VOID(sum_->testDepthsOf(*sample_));
   return counts_->testDepthsOf(*sample_);
@@ -65,7 +68,7 @@ void SampleSum::add() {
   if (settings_.samples == 1) return;
   sum_->bind();
   gl::drawOverAll();
-  if (isAdaptive()) mask_.limit();
+  if (isAdaptive()) mask_->limit();
   if (count > 1) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -76,9 +79,9 @@ void SampleSum::add() {
   accumulate_.set("share", 1.0f / static_cast<float>(settings_.samples));
   screen_.draw(3);
   glDisable(GL_BLEND);
-  mask_.end();
-  if (isAdaptive())
-    mask_.choose(*counts_, sample_->color(), sum_->color(), settings_.display, count, settings_.samples);
+  if (!isAdaptive()) return;
+  mask_->end();
+  mask_->choose(*counts_, sample_->color(), sum_->color(), settings_.display, count, settings_.samples);
 }
 
 glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {

@@ -25,7 +25,7 @@ class SampleSum {
   Result<void> begin(const FrameSettings& settings);
 
   /// The pixels that the next sample is drawn of; null: all.
-  PixelMask* mask() { return isAdaptive() ? &mask_ : nullptr; }
+  PixelMask* mask() { return isAdaptive() ? &*mask_ : nullptr; }
   /// What a sample is drawn into: 32-bit floats with depth.
   const gl::Framebuffer& sample() const { return *sample_; }
   /// Takes the picture that is in `sample()` into the mean.
@@ -42,16 +42,17 @@ class SampleSum {
   Result<Image8> picture();
 
  private:
-  SampleSum(gl::Program accumulate, gl::Program tone_map, PixelMask mask)
-      : accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)), mask_(std::move(mask)) {}
+  SampleSum(gl::Api api, gl::Program accumulate, gl::Program tone_map)
+      : api_(api), accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)) {}
   bool isAdaptive() const;
   const gl::Framebuffer& result() const { return settings_.samples > 1 ? *sum_ : *sample_; }
 
+  gl::Api api_;
   gl::Program accumulate_;
   gl::Program tone_map_;
   gl::VertexArray screen_;
   std::optional<gl::Framebuffer> sample_;
-  PixelMask mask_;
+  std::optional<PixelMask> mask_;          ///< made for the first frame of which some pixels may finish
   std::optional<gl::Framebuffer> sum_;     ///< when there is more than one sample
   std::optional<gl::Framebuffer> counts_;  ///< of the samples of the pixels that have finished, where some may
   std::optional<gl::Framebuffer> display_;

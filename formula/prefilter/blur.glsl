@@ -22,13 +22,13 @@ FN float roughnessOverPatch(float perceptual_roughness, float patch_sr) {
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
   float lod = lodOfRoughness(perceptual_roughness, blur.last_level);
-  if (lod <= 0.0f) return sampleLod(environment, d, minified);
+  vec4 smooth_light = vec4(0.0f);
+  if (lod < 1.0f) smooth_light = sampleLod(environment, d, minified);
+  if (lod <= 0.0f) return smooth_light;
   // A texel's own width is in the chain.
   float patch_sr = (exp2(2.0f * minified) - 1.0f) / (blur.texels_per_radian * blur.texels_per_radian);
   float widened = lodOfRoughness(roughnessOverPatch(perceptual_roughness, patch_sr), blur.last_level);
-  vec4 rough = sampleLod(prefiltered, d, max(widened, 1.0f) - blur.first_level);
-  if (lod >= 1.0f) return rough;
-  return mix(sampleLod(environment, d, minified), rough, lod);
+  return mix(smooth_light, sampleLod(prefiltered, d, max(widened, 1.0f) - blur.first_level), min(lod, 1.0f));
 }
 
 // Point i of n of GGX's reflected lobe about +Z for n = v = r, at even shares of what the half vector's density sends

@@ -7,10 +7,10 @@
 #include "sampling.glsl"
 
 vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
-  Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian);
+  Blur blur = Blur(BLUR_KIND, first_level, last_level, texels_per_radian);
   ProxySight sight = sightFrom(origin, d);
   float seen = footprint * sight.enlargement;
-  float minified = readsMipLevels(texture_filter) ? footprintLod(seen, texels_per_radian) : 0.0;
+  float minified = readsMipLevels(TEXTURE_FILTER) ? footprintLod(seen, texels_per_radian) : 0.0;
   vec4 light = blurredLight(blur, environment, prefiltered, environment_from_world * sight.direction,
                             roughnessBeyondProxy(perceptual_roughness, sight.enlargement), minified);
   return environment_intensity * lightOfProxy(sight, light.xyz);

@@ -34,7 +34,7 @@ vec4 fetchMap(FlatCube map, ivec2 texel, int level) {
 #define MAP_SAMPLER sampler2D
 
 vec4 sampleLod(FlatCube map, vec3 d, float lod) {
-  if (texture_filter == kFilterNearest && map.number == 0 && lod <= 0.0) return flatNearest(map, d, 0);
+  if (TEXTURE_FILTER == kFilterNearest && map.number == 0 && lod <= 0.0) return flatNearest(map, d, 0);
   return FLAT_LOOK_UP(map, d, lod);
 }
 

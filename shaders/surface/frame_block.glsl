@@ -15,8 +15,6 @@ layout(std140) uniform FrameBlock {
   vec3 shown_high;
   float samples_per_pixel;
   float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
-  int texture_filter;      // of filter_kind.glsl
-  int lobe_taps;           // 1, or of lobe_row.glsl
   int inner_bounces;       // surfaces that light meets after the first, where bodies are traced
   float only_wavelength;   // µm, for which each material has one index; 0: light is of all wavelengths
   int wavelength_count;    // of a set, where light is dispersed into wavelengths

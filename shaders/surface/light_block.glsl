@@ -4,7 +4,6 @@ layout(std140) uniform LightBlock {
   vec3 captured_from;      // of a probe, where it stands
   float nearness_unit;     // world units; of what it captured of distances (captured_sight.glsl)
   float environment_intensity;
-  int blur_kind;           // Blur of blur.glsl
   float first_level;
   float last_level;
   float texels_per_radian;

@@ -2,37 +2,37 @@
 // by piece (filter_kind.glsl).
 //   across, down   how d changes to the next pixels
 #include "filter_kind.glsl"
+#include "microfacet.glsl"
 
 vec3 lookUpDirection(SurfacePoint point, vec3 n) {
   vec4 str = look_up_matrix * lookUpCoordinates(point, n);
   return normalize(str.xyz);
 }
 
-struct PatchReads {
-  vec3 along;       // the patch, its longer way
-  int count;
-  float footprint;  // of each, in sr
+struct Patch {
+  vec3 along;       // its longer way
+  float footprint;  // sr
 };
 
-PatchReads readsOfPatch(vec3 across, vec3 down) {
-  float footprint = sampleFootprint(across, down, samples_per_pixel);
+Patch patchOf(vec3 across, vec3 down) {
   vec3 along = (dot(across, across) > dot(down, down) ? across : down) / sqrt(samples_per_pixel);
-  float longer = length(along);
-  int reads = texture_filter == kFilterAnisotropic
-                  ? readsAlong(longer * texels_per_radian, footprint / max(longer, 1e-12) * texels_per_radian)
-                  : 1;
-  return PatchReads(along, reads, footprint / float(reads));
+  return Patch(along, sampleFootprint(across, down, samples_per_pixel));
 }
 
-vec3 lightOfReads(SurfacePoint point, vec3 d, PatchReads reads, float perceptual_roughness) {
-  if (reads.count == 1) return incomingLight(point.position, d, perceptual_roughness, reads.footprint);
+// How many reads cover it. One lobe covers about α [rad] by itself: what a patch as long as that adds to its variance
+// is 3 % (of slopes whose median is α: roughnessOverPatch).
+int readsOfPatch(Patch area, float perceptual_roughness) {
+  if (TEXTURE_FILTER != kFilterAnisotropic) return 1;
+  float longer = length(area.along);
+  float shorter = max(area.footprint / max(longer, 1e-12), alphaFromPerceptualRoughness(perceptual_roughness));
+  return readsAlong(longer * texels_per_radian, shorter * texels_per_radian);
+}
+
+vec3 lightOfPatch(SurfacePoint point, vec3 d, Patch area, float perceptual_roughness) {
+  int reads = readsOfPatch(area, perceptual_roughness);
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < reads.count; ++i)
-    sum += incomingLight(point.position, normalize(d + placeOfRead(i, reads.count) * reads.along), perceptual_roughness,
-                         reads.footprint);
-  return sum / float(reads.count);
-}
-
-vec3 lightOfPatch(SurfacePoint point, vec3 d, vec3 across, vec3 down, float perceptual_roughness) {
-  return lightOfReads(point, d, readsOfPatch(across, down), perceptual_roughness);
+  for (int i = 0; i < reads; ++i)
+    sum += incomingLight(point.position, normalize(d + placeOfRead(i, reads) * area.along), perceptual_roughness,
+                         area.footprint / float(reads));
+  return sum / float(reads);
 }

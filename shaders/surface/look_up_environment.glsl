@@ -5,5 +5,5 @@
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
-  return lightOfPatch(point, d, dFdx(d), dFdy(d), s.material.perceptual_roughness);
+  return lightOfPatch(point, d, patchOf(dFdx(d), dFdy(d)), s.material.perceptual_roughness);
 }

@@ -4,5 +4,5 @@
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
-  return lightOfRow(s, point, dFdx(d), dFdy(d));
+  return lightOfRow(s, point, d, patchOf(dFdx(d), dFdy(d)));
 }

@@ -11,13 +11,12 @@ const float kFeltWidening = 1.05;
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
-  vec3 across = dFdx(d);
-  vec3 down = dFdy(d);
+  Patch area = patchOf(dFdx(d), dFdy(d));
   // Of the surface without its bumps, of which the strata tell: what they do from pixel to pixel is no blur.
   vec3 smooth_d = lookUpDirection(point, point.normal);
   float footprint = sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kStrata));
   if (s.material.perceptual_roughness <= kFeltWidening * s.own_roughness)
-    return lightOfRow(s, point, across, down);
+    return lightOfRow(s, point, d, area);
   ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
   vec2 random = gridRandom(sample_place).xy;
   vec3 light = vec3(0.0);

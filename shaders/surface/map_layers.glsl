@@ -29,5 +29,5 @@ vec4 fetchMap(MapLayer map, ivec2 texel, int level) {
 
 //   across, down   how uv changes over what is seen
 vec4 layerAt(MapLayer map, MapSampling sampling, vec2 uv, vec2 across, vec2 down) {
-  return mapInPixel(map, uv, across, down, map.extent.z, sampling, texture_filter);
+  return mapInPixel(map, uv, across, down, map.extent.z, sampling, TEXTURE_FILTER);
 }

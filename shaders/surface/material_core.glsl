@@ -4,10 +4,11 @@
 // Here: glTF's core, and the textures of its extensions.
 #include "base_color.glsl"
 #include "brdf_look_up.glsl"
+#include "known_numbers.glsl"
 
 Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   Surface s;
-  s.material = atWavelength(material, only_wavelength);
+  s.material = atWavelength(withKnownNumbers(material), only_wavelength);
   s.material.base_color = base_color;
   s.own_roughness = s.material.perceptual_roughness * roughness_map_at(point).y;
   s.material.perceptual_roughness = widenedRoughness(s.own_roughness, hiddenSlopes(point) + hiddenDetail(point));

@@ -280,11 +280,11 @@ Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const Envir
   return made->left;
 }
 
-/// Draws opaque ones; of those whose light is costly, the depths first.
+/// Draws opaque ones; of most, the depths first.
 void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameUniforms& frame,
                                  const FrameSettings& settings) {
   for (const int instance : instances) {
-    if (!surfaces_.isCostly(instance)) continue;
+    if (!surfaces_.depthsComeFirst(instance)) continue;
     chooseCulling(instance, frame);
     device_->depthPass().draw(scene(), instance, staged_->buffers(), frame.sample.camera, DepthPass::Offset::farther);
   }

@@ -20,18 +20,6 @@ glm::vec4 sampleLod(const CountingCube& cube, glm::vec3, float) {
   return glm::vec4(1.0f);
 }
 
-/// Blur::kind: both chains are looked up alike.
-int blurKindOfFormula(BlurKind blur) {
-  switch (blur) {
-    case BlurKind::mip:
-      return 1;
-    case BlurKind::cone:
-      return 2;
-    default:
-      return 0;
-  }
-}
-
 /// How many directions transmitted light is read from: those of transmission_single.glsl once for each kind of light
 /// that goes its own way, those of transmission_image_space.glsl twice, and those of transmission_traced.glsl where it
 /// leaves at each surface.
@@ -84,6 +72,17 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
 }
 
 }  // namespace
+
+int blurKindOfFormula(BlurKind blur) {
+  switch (blur) {
+    case BlurKind::mip:
+      return 1;
+    case BlurKind::cone:
+      return 2;
+    default:
+      return 0;
+  }
+}
 
 formula::Blur blurOf(const FrameSettings& settings, const gl::Texture& cube, const PrefilteredChain& chain) {
   return {.kind = blurKindOfFormula(settings.blur),

@@ -8,6 +8,9 @@
 
 namespace mirrorball {
 
+/// Blur::kind of formula/prefilter/blur.glsl: both chains are looked up alike.
+int blurKindOfFormula(BlurKind blur);
+
 /// How a frame blurs light, for formula/prefilter/blur.glsl.
 ///
 /// cube    the light itself

@@ -115,16 +115,27 @@ bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
 SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
                                             SurfacePrograms::Programs::reference entry) const {
   const SurfaceVariant& variant = entry.first;
-  const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
-                         variant.has(Part::transmission, TransmissionPart::image_space) ||
-                         variant.has(Part::transmission, TransmissionPart::traced);
   return Draw{.mesh = scene.instances[std::size_t(instance)].mesh,
               .material = materialOf(scene, instance),
               .variant = &variant,
               .program = &*entry.second.made,
-              .light = lightRead(variant, instance),
-              .is_costly = is_traced && variant.has(Part::point, PointPart::raster) &&
-                           variant.has(Part::alpha, AlphaPart::opaque)};
+              .light = lightRead(variant, instance)};
+}
+
+/// Where triangles are fewer than pixels, to draw them twice costs less than the light of what they hide. Light that is
+/// searched for along rays costs more in any case.
+void SurfaceDrawing::chooseDepthsFirst(const Scene& scene, glm::ivec2 size_px, std::vector<Draw>& draws) {
+  std::size_t triangles = 0;
+  for (const Draw& draw : draws) triangles += scene.meshes[std::size_t(draw.mesh)]->indices.size() / 3;
+  const bool are_few = triangles < static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
+  for (Draw& draw : draws) {
+    const SurfaceVariant& variant = *draw.variant;
+    const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
+                           variant.has(Part::transmission, TransmissionPart::image_space) ||
+                           variant.has(Part::transmission, TransmissionPart::traced);
+    draw.depths_come_first = (are_few || is_traced) && variant.has(Part::point, PointPart::raster) &&
+                             variant.has(Part::alpha, AlphaPart::opaque);
+  }
 }
 
 /// Finds how the instances are drawn, or that it is known.
@@ -156,6 +167,7 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
     MIRRORBALL_TRY_VOID(programs.finish(*entries[std::size_t(instance)], proxy));
     list.draws.push_back(drawOf(scene, instance, *entries[std::size_t(instance)]));
   }
+  chooseDepthsFirst(scene, settings.size, list.draws);
   if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
   draw_lists_.push_back(std::move(list));
   drawn_ = draw_lists_.size() - 1;
@@ -186,8 +198,6 @@ void SurfaceDrawing::setFrame(const SurfacePrograms& programs, const FrameUnifor
   block.set("shown_high", frame.screen.shown.isEmpty() ? glm::vec3(kNowhere) : frame.screen.shown.high);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample.number) + 0.5f) / static_cast<float>(settings.samples));
-  block.set("texture_filter", static_cast<int>(settings.texture_filter));
-  block.set("lobe_taps", lobesOf(settings));
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));
@@ -228,7 +238,6 @@ void SurfaceDrawing::bindLight(int light) {
   block.set("captured_from", read.captured_from);
   block.set("nearness_unit", read.nearness_unit);
   block.set("environment_intensity", read.intensity);
-  block.set("blur_kind", read.blur.kind);
   block.set("first_level", read.blur.first_level);
   block.set("last_level", read.blur.last_level);
   block.set("texels_per_radian", read.blur.texels_per_radian);

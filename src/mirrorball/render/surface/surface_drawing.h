@@ -46,9 +46,9 @@ class SurfaceDrawing {
   /// Draws an instance with the program that was made last, without what the frame's own pictures hold.
   void tryOut(const Scene& scene, SceneBuffers& buffers, const FrameSettings& settings);
 
-  /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
-  /// after `begin`.
-  bool isCostly(int instance) const { return draws()[std::size_t(instance)].is_costly; }
+  /// Whether an instance's depths are to be drawn before its light, so that no light is found that something hides. To
+  /// be asked after `begin`.
+  bool depthsComeFirst(int instance) const { return draws()[std::size_t(instance)].depths_come_first; }
 
   /// Lets the processor fetch what drawing an instance needs to know.
   void expect(int instance) const { __builtin_prefetch(&draws()[std::size_t(instance)]); }
@@ -64,7 +64,7 @@ class SurfaceDrawing {
     const SurfaceVariant* variant;
     SurfacePrograms::Program* program;
     int light;  ///< lightRead()
-    bool is_costly;
+    bool depths_come_first = false;
   };
   /// Of a kind of frame: all that draws depend on.
   struct DrawList {
@@ -86,6 +86,7 @@ class SurfaceDrawing {
   Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
                          std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);
   Draw drawOf(const Scene& scene, int instance, SurfacePrograms::Programs::reference entry) const;
+  static void chooseDepthsFirst(const Scene& scene, glm::ivec2 size_px, std::vector<Draw>& draws);
   void noteFrame(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
                  const FrameSettings& settings);
   void setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const FrameUniforms& frame,

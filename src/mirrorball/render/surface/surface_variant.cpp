@@ -372,6 +372,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::point, pointPart(material, settings));
   variant.choose(Part::normal, normalPart(material, settings));
   variant.coordinates = coordinates;
+  variant.constants = shaderConstants(material, variant.maps, settings);
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
@@ -407,6 +408,7 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
                                    "LOOK_UP_COORDINATES " + std::string(formulaOf(coordinates.look_up)),
                                    "PICTURE_COORDINATES " + std::string(formulaOf(coordinates.picture))};
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
+  for (std::string& definition : definitionsOf(variant.constants)) defines.push_back(std::move(definition));
   const std::vector<std::string_view> views(defines.begin(), defines.end());
   const bool is_of_prisms = variant.has(Part::point, PointPart::exact);
   MIRRORBALL_TRY(vertex, gl::shaderSource(api, is_of_prisms ? "screen.vert" : "surface.vert", views, find));

@@ -13,6 +13,7 @@
 #include "mirrorball/gl/shader_source.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
+#include "mirrorball/render/surface/shader_constants.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/scene.h"
@@ -82,6 +83,7 @@ struct SurfaceVariant {
   std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
   std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::listed
   CoordinateChoice coordinates = {};
+  ShaderConstants constants = {};
 
   template <typename Answer>
   void choose(Part part, Answer answer) {
@@ -94,8 +96,8 @@ struct SurfaceVariant {
   bool operator==(const SurfaceVariant&) const = default;
   /// Any order, for maps. libc++ 14, which compilers for browsers have, lacks <=> of containers.
   bool operator<(const SurfaceVariant& other) const {
-    return std::tie(answers, maps, lamp_count, coordinates) <
-           std::tie(other.answers, other.maps, other.lamp_count, other.coordinates);
+    return std::tie(answers, maps, lamp_count, coordinates, constants) <
+           std::tie(other.answers, other.maps, other.lamp_count, other.coordinates, other.constants);
   }
 };
 

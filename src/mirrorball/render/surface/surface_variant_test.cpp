@@ -16,6 +16,7 @@ namespace mirrorball {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -65,6 +66,40 @@ TEST(SurfaceVariant, CompilesOnlyWhatItUses) {
   for (const char* unused :
        {"orangeHeight", "sampler2D sphere_map", "normal_map;", "map_layers", "LAMP_COUNT", "#include"})
     EXPECT_THAT(plain->fragment.text, Not(HasSubstr(unused)));
+}
+
+// A branch by a uniform costs a software driver both of its sides in each pixel.
+TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
+  Material material;
+  material.fresnel = formula::kFresnelSchlick;
+  material.dispersion = 0.3f;
+  FrameSettings settings{.texture_filter = TextureFilter::nearest};
+  settings.blur = BlurKind::cone;
+  std::vector<MapSource> maps(materialMaps().size());
+  const ShaderConstants plain = shaderConstants(material, maps, settings);
+  const ShaderConstants expected{.texture_filter = formula::kFilterNearest,
+                                 .blur_kind = 2,
+                                 .lobe_taps = 1,  // of a cone
+                                 .fresnel = formula::kFresnelSchlick,
+                                 .disperses = true};
+  EXPECT_EQ(plain, expected);
+
+  material.conductor_k.y = 2.0f;
+  settings.blur = BlurKind::exact;
+  for (std::size_t row = 0; row < maps.size(); ++row)
+    if (materialMaps()[row].slot == &Material::specular_color_map) maps[row].unit = 1;
+  const ShaderConstants rich = shaderConstants(material, maps, settings);
+  EXPECT_TRUE(rich.has_conductor_index);
+  EXPECT_TRUE(rich.has_specular_color);
+  EXPECT_EQ(rich.lobe_taps, 4);
+  EXPECT_THAT(definitionsOf(rich),
+              AllOf(Contains("LOBE_TAPS 4"), Contains("FRESNEL 1"), Contains("HAS_SPECULAR_COLOR true")));
+
+  const auto shaders = surfaceShaders(gl::Api::es30, {.constants = rich});
+  ASSERT_TRUE(shaders);
+  EXPECT_THAT(shaders->fragment.text, HasSubstr("#define LOBE_TAPS 4"));
+  for (const char* uniform : {"int texture_filter;", "int lobe_taps;", "int blur_kind;"})
+    EXPECT_THAT(shaders->fragment.text, Not(HasSubstr(uniform)));
 }
 
 TEST(SurfaceVariant, MapsWithTheSameUnitReadOneSampler) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/surface/map_sources.h"
+#include "mirrorball/scene/material/material.h"
+
+namespace mirrorball {
+
+/// What a frame and a material decide by numbers, as constants of their shaders: of a branch that the compiler can
+/// decide nothing is left. A software driver follows both sides of every other one for each pixel, whatever it reads
+/// there; a GPU keeps registers for both.
+///
+/// What a slider moves stays a uniform. These change where it comes to a value that a formula leaves out, as no
+/// dispersion; then other shaders are made.
+struct ShaderConstants {
+  int texture_filter = 0;  ///< of formula/surface/filter_kind.glsl
+  int blur_kind = 0;       ///< of formula/prefilter/blur.glsl
+  int lobe_taps = 1;       ///< 1, or of formula/bsdf/lobe_row.glsl
+  int fresnel = 0;         ///< of formula/material.glsl
+  bool has_conductor_index = false;
+  bool disperses = false;
+  bool has_specular_color = false;  ///< other than white, at some place
+
+  auto operator<=>(const ShaderConstants&) const = default;
+};
+
+/// maps   of the material: mapSources()
+ShaderConstants shaderConstants(const Material& material, const std::vector<MapSource>& maps,
+                                const FrameSettings& settings);
+
+/// As the shaders read them (shaders/surface/known_numbers.glsl): "NAME value".
+std::vector<std::string> definitionsOf(const ShaderConstants& constants);
+
+}  // namespace mirrorball

@@ -1,8 +1,6 @@
 #include "mirrorball/image/halve.h"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "formula/color.h"
@@ -47,34 +45,17 @@ void averageTexel(const std::uint8_t* a, const std::uint8_t* b, const std::uint8
   }
 }
 
-/// Writes each texel of half the size: average(a, b, c, d, mean) from the four that it covers.
-template <typename Texels, typename Average>
-Texels halvedBy(const Texels& image, const Average& average) {
-  assert(image.width() > 1 || image.height() > 1);
-  Texels half(std::max(image.width() / 2, 1), std::max(image.height() / 2, 1), image.channels());
-  for (int y = 0; y < half.height(); ++y) {
-    const int upper = 2 * y;
-    const int lower = std::min(upper + 1, image.height() - 1);
-    for (int x = 0; x < half.width(); ++x) {
-      const int left = 2 * x;
-      const int right = std::min(left + 1, image.width() - 1);
-      average(image.texel(left, upper), image.texel(right, upper), image.texel(left, lower), image.texel(right, lower),
-              half.texel(x, y));
-    }
-  }
-  return half;
-}
-
 }  // namespace
 
 Image8 halved(const Image8& image, bool srgb) {
   assert(image.channels() == 4);
-  return halvedBy(image, [srgb](const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c,
-                                const std::uint8_t* d, std::uint8_t* mean) { averageTexel(a, b, c, d, srgb, mean); });
+  return halvedBy<Image8>(
+      image, [srgb](const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c, const std::uint8_t* d,
+                    std::uint8_t* mean) { averageTexel(a, b, c, d, srgb, mean); });
 }
 
 Image halved(const Image& image) {
-  return halvedBy(image, [&image](const float* a, const float* b, const float* c, const float* d, float* mean) {
+  return halvedBy<Image>(image, [&image](const float* a, const float* b, const float* c, const float* d, float* mean) {
     for (int i = 0; i < image.channels(); ++i) mean[i] = 0.25f * (a[i] + b[i] + c[i] + d[i]);
   });
 }

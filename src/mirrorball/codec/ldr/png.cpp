@@ -4,8 +4,8 @@
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
-#include <cstring>
-#include <memory>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <png.h>
@@ -128,16 +128,14 @@ void setTransforms(png_structp png, png_infop info, Form form) {
   }
 }
 
-/// A decoded PNG: interleaved samples without padding.
+/// What a PNG holds: interleaved samples without padding.
 struct Pixels {
   int width = 0;
   int height = 0;
   int channels = 0;
-  int bits = 0;          ///< of a sample in `bytes`
+  int bits = 0;          ///< of a sample as it is decoded
   int stored_bits = 0;   ///< of a sample in the file
-  std::size_t size = 0;  ///< of `bytes`
-  /// Without values at first, so that a size that lies costs no memory: only rows that are decoded are touched.
-  std::unique_ptr<std::uint8_t[]> bytes;
+  std::size_t size = 0;  ///< of all samples [bytes]
   Metadata metadata;
   PngColor color;
 };
@@ -194,7 +192,10 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   return {};
 }
 
-Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
+/// memory   gives the place for `size` bytes, when all else is known but the texts. They need no values, so that a size
+///          that lies costs nothing: only rows that are decoded are touched
+Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form,
+                          const std::function<std::uint8_t*(const Pixels&)>& memory) {
   MIRRORBALL_TRY_VOID(checkChunks(bytes));
   PngReader reader(bytes);
   if (!reader.info) return fail(ErrorCode::too_large, "not enough memory to decode it");
@@ -212,9 +213,9 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
   pixels.bits = png_get_bit_depth(reader.png, reader.info);
 
   pixels.size = row_size * std::size_t(pixels.height);
-  pixels.bytes = bytesWithoutValues(pixels.size);
+  std::uint8_t* const first = memory(pixels);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
-  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.get() + y * row_size;
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = first + y * row_size;
   const bool decoded = guardedFromPng(reader.png, [&] {
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, reader.info);
@@ -224,21 +225,31 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
   return pixels;
 }
 
-Image8 pictureOf(const Pixels& pixels) {
-  Image8 picture(pixels.width, pixels.height, pixels.channels);
-  std::copy_n(pixels.bytes.get(), pixels.size, picture.samples().begin());
-  return picture;
+/// A picture of that shape, for a decoder to fill.
+template <typename Sample>
+std::uint8_t* makePlace(ImageOf<Sample>& picture, const Pixels& pixels) {
+  picture = ImageOf<Sample>::withoutValues(pixels.width, pixels.height, pixels.channels);
+  return reinterpret_cast<std::uint8_t*>(picture.samples().data());
 }
 
-CodedPicture codesOf(const Pixels& pixels) {
-  if (pixels.bits == 8) return pictureOf(pixels);
-  auto codes = ImageOf<std::uint16_t>::withoutValues(pixels.width, pixels.height, pixels.channels);
-  std::memcpy(codes.samples().data(), pixels.bytes.get(), pixels.size);
-  return codes;
+/// A PNG and the codes that it stores.
+struct CodedPng {
+  Pixels pixels;
+  CodedPicture codes;
+};
+
+Result<CodedPng> readCodes(std::span<const std::uint8_t> bytes) {
+  CodedPicture codes;
+  const auto memory = [&codes](const Pixels& pixels) {
+    return pixels.bits == 8 ? makePlace(codes.emplace<Image8>(), pixels)
+                            : makePlace(codes.emplace<ImageOf<std::uint16_t>>(), pixels);
+  };
+  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light, memory));
+  return CodedPng{std::move(pixels), std::move(codes)};
 }
 
-Image lightOf(const Pixels& pixels) {
-  Image light = lightOf(codesOf(pixels), pixels.color.curve);
+Image lightOf(const Pixels& pixels, const CodedPicture& codes) {
+  Image light = lightOf(codes, pixels.color.curve);
   convertToRec709(light, pixels.color.primaries);
   return light;
 }
@@ -261,20 +272,22 @@ void setCompression(png_structp png) {
 }  // namespace
 
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light));
-  return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
-                      "PNG, " + std::to_string(pixels.stored_bits) + " bit",
-                      describeColor(pixels.color, pixels.channels)};
+  MIRRORBALL_TRY(png, readCodes(bytes));
+  return DecodedImage{lightOf(png.pixels, png.codes), std::move(png.pixels.metadata),
+                      "PNG, " + std::to_string(png.pixels.stored_bits) + " bit",
+                      describeColor(png.pixels.color, png.pixels.channels)};
 }
 
 Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light));
-  return codesOf(pixels);
+  MIRRORBALL_TRY(png, readCodes(bytes));
+  return std::move(png.codes);
 }
 
 Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::texture));
-  return pictureOf(pixels);
+  Image8 picture;
+  const auto memory = [&picture](const Pixels& pixels) { return makePlace(picture, pixels); };
+  MIRRORBALL_TRY_VOID(readPixels(bytes, Form::texture, memory));
+  return picture;
 }
 
 Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {

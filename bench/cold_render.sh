@@ -1,8 +1,9 @@
 #!/bin/sh
 # usage: bench/cold_render.sh PROGRAM RUNS ARGUMENTS OF RENDER…
 #
-# Times the whole process of one render, RUNS times, first with Mesa's cache of compiled shaders as it is and then
-# without it, and prints the fastest and the median in milliseconds, and then the stages of one run.
+# Times the whole process of one render, RUNS times, first with all caches as they are, then without Mesa's cache of
+# compiled shaders, then without the program's own either, and prints the fastest and the median in milliseconds, and
+# then the stages of one run with nothing cached.
 # For example: bench/cold_render.sh build/release/apps/cli/mirrorball 11 sphere -e lightroom_14b.hdr
 set -eu
 program=$1
@@ -35,5 +36,8 @@ measure "with the shader cache:" "$@"
 MESA_SHADER_CACHE_DISABLE=true
 export MESA_SHADER_CACHE_DISABLE
 measure "without the shader cache:" "$@"
-echo "stages of one run, without the shader cache:"
+MIRRORBALL_CACHE=
+export MIRRORBALL_CACHE
+measure "with nothing cached:" "$@"
+echo "stages of one run, with nothing cached:"
 "$program" render "$@" --timings -o "$picture"

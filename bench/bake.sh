@@ -47,8 +47,6 @@ runTask() { command time -q -f '%U %S %M' -o spent $(commandOf "$1"); }
 # shellcheck disable=SC2086 # tasks are words
 timeInRounds "$runs" $tasks
 
-median() { sort -n | awk '{ t[NR] = $1 } END { print t[int((NR + 1) / 2)] }'; }
-
 for task in $tasks; do
   wall=$(awk '{ print $1 / 10 }' "$task.times" | median)
   processor=$(awk '{ print ($2 + $3) * 1000 }' "$task.times" | median)

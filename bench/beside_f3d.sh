@@ -27,10 +27,10 @@ runTask() {
   esac
 }
 
-median() { awk '{ print $1 / 10 }' "$1.times" | sort -n | awk '{ t[NR] = $1 } END { print t[int((NR + 1) / 2)] }'; }
+milliseconds() { awk '{ print $1 / 10 }' "$1.times" | median; }
 
 timeInRounds "$runs" ours f3d
 [ -s f3d.png ] || { echo "F3D wrote no picture: $(head -n 1 f3d.log)" >&2; exit 1; }
-ours=$(median ours)
-f3d=$(median f3d)
+ours=$(milliseconds ours)
+f3d=$(milliseconds f3d)
 echo "ours $ours ms, F3D $f3d ms, F3D's time / ours $(awk -v a="$f3d" -v b="$ours" 'BEGIN { printf "%.1f", a / b }')"

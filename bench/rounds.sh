@@ -3,6 +3,9 @@
 
 has() { command -v "$1" >/dev/null; }
 
+# Of numbers, a line each.
+median() { sort -n | awk '{ t[NR] = $1 } END { print t[int((NR + 1) / 2)] }'; }
+
 # usage: timeInRounds RUNS TASK…
 #
 # Runs each TASK once after the other by `runTask TASK`, RUNS times, so that a busy moment hits all alike. Each run adds a

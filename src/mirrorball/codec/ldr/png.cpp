@@ -133,9 +133,8 @@ struct Pixels {
   int width = 0;
   int height = 0;
   int channels = 0;
-  int bits = 0;          ///< of a sample as it is decoded
-  int stored_bits = 0;   ///< of a sample in the file
-  std::size_t size = 0;  ///< of all samples [bytes]
+  int bits = 0;         ///< of a sample as it is decoded
+  int stored_bits = 0;  ///< of a sample in the file
   Metadata metadata;
   PngColor color;
 };
@@ -192,8 +191,8 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   return {};
 }
 
-/// memory   gives the place for `size` bytes, when all else is known but the texts. They need no values, so that a size
-///          that lies costs nothing: only rows that are decoded are touched
+/// memory   gives the place for all samples, when all is known of them but the texts. They need no values, so that a
+///          size that lies costs nothing: only rows that are decoded are touched
 Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form,
                           const std::function<std::uint8_t*(const Pixels&)>& memory) {
   MIRRORBALL_TRY_VOID(checkChunks(bytes));
@@ -212,7 +211,6 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form,
   pixels.channels = png_get_channels(reader.png, reader.info);
   pixels.bits = png_get_bit_depth(reader.png, reader.info);
 
-  pixels.size = row_size * std::size_t(pixels.height);
   std::uint8_t* const first = memory(pixels);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
   for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = first + y * row_size;

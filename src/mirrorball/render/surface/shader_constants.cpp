@@ -1,32 +1,20 @@
 #include "mirrorball/render/surface/shader_constants.h"
 
-#include <algorithm>
-#include <cstddef>
-
+#include "formula/surface.h"
 #include "mirrorball/render/surface/light_reads.h"
 
 namespace mirrorball {
-namespace {
 
-bool hasTexture(TextureSlot Material::*slot, const std::vector<MapSource>& maps) {
-  const auto rows = materialMaps();
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    if (rows[row].slot == slot && maps[row].unit >= 0) return true;
-  return false;
-}
-
-}  // namespace
-
-ShaderConstants shaderConstants(const Material& material, const std::vector<MapSource>& maps,
-                                const FrameSettings& settings) {
-  return {.texture_filter = static_cast<int>(settings.texture_filter),
+ShaderConstants shaderConstants(const Material& material, const FrameSettings& settings) {
+  const int texture_filter = static_cast<int>(settings.texture_filter);
+  if (material.unlit) return {.texture_filter = texture_filter};
+  return {.texture_filter = texture_filter,
           .blur_kind = blurKindOfFormula(settings.blur),
           .lobe_taps = lobesOf(settings),
           .fresnel = material.fresnel,
-          .has_conductor_index = material.conductor_k != glm::vec3(0.0f),
+          .has_conductor_index = formula::hasConductorIndex(material),
           .disperses = material.dispersion != 0.0f,
-          .has_specular_color =
-              material.specular_color != glm::vec3(1.0f) || hasTexture(&Material::specular_color_map, maps)};
+          .has_specular_color = material.specular_color != glm::vec3(1.0f) || material.specular_color_map.texture >= 0};
 }
 
 std::vector<std::string> definitionsOf(const ShaderConstants& constants) {

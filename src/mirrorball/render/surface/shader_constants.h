@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mirrorball/render/settings/frame_settings.h"
-#include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/scene/material/material.h"
 
 namespace mirrorball {
@@ -28,11 +27,9 @@ struct ShaderConstants {
   auto operator<=>(const ShaderConstants&) const = default;
 };
 
-/// maps   of the material: mapSources()
-ShaderConstants shaderConstants(const Material& material, const std::vector<MapSource>& maps,
-                                const FrameSettings& settings);
+ShaderConstants shaderConstants(const Material& material, const FrameSettings& settings);
 
-/// As the shaders read them (shaders/surface/known_numbers.glsl): "NAME value".
+/// For the shaders' preprocessor: "NAME value".
 std::vector<std::string> definitionsOf(const ShaderConstants& constants);
 
 }  // namespace mirrorball

@@ -372,7 +372,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::point, pointPart(material, settings));
   variant.choose(Part::normal, normalPart(material, settings));
   variant.coordinates = coordinates;
-  variant.constants = shaderConstants(material, variant.maps, settings);
+  variant.constants = shaderConstants(material, settings);
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
@@ -385,6 +385,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::proxy, coordinates.is_sphere_map ? ProxyKind::none : settings.proxy.kind);
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
+  if (!variant.readsRows()) variant.constants.lobe_taps = 1;  // so that no other program is made for what is not read
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::behind, behindPart(material, variant.maps, settings));

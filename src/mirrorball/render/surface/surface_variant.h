@@ -93,6 +93,8 @@ struct SurfaceVariant {
   bool has(Part part, Answer answer) const {
     return answers[static_cast<std::size_t>(part)] == static_cast<std::uint8_t>(answer);
   }
+  /// Whether it has the parts that include row_of_lobes.glsl.
+  bool readsRows() const { return has(Part::look_up, LookUpPart::lobe_row) || has(Part::look_up, LookUpPart::strata); }
   bool operator==(const SurfaceVariant&) const = default;
   /// Any order, for maps. libc++ 14, which compilers for browsers have, lacks <=> of containers.
   bool operator<(const SurfaceVariant& other) const {

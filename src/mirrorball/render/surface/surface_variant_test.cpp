@@ -75,8 +75,7 @@ TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
   material.dispersion = 0.3f;
   FrameSettings settings{.texture_filter = TextureFilter::nearest};
   settings.blur = BlurKind::cone;
-  std::vector<MapSource> maps(materialMaps().size());
-  const ShaderConstants plain = shaderConstants(material, maps, settings);
+  const ShaderConstants plain = shaderConstants(material, settings);
   const ShaderConstants expected{.texture_filter = formula::kFilterNearest,
                                  .blur_kind = 2,
                                  .lobe_taps = 1,  // of a cone
@@ -86,14 +85,23 @@ TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
 
   material.conductor_k.y = 2.0f;
   settings.blur = BlurKind::exact;
-  for (std::size_t row = 0; row < maps.size(); ++row)
-    if (materialMaps()[row].slot == &Material::specular_color_map) maps[row].unit = 1;
-  const ShaderConstants rich = shaderConstants(material, maps, settings);
+  material.specular_color_map.texture = 0;
+  const ShaderConstants rich = shaderConstants(material, settings);
   EXPECT_TRUE(rich.has_conductor_index);
   EXPECT_TRUE(rich.has_specular_color);
   EXPECT_EQ(rich.lobe_taps, 4);
   EXPECT_THAT(definitionsOf(rich),
               AllOf(Contains("LOBE_TAPS 4"), Contains("FRESNEL 1"), Contains("HAS_SPECULAR_COLOR true")));
+
+  // What a variant does not read makes no other program.
+  const auto constantsOf = [&](const Material& of) {
+    return surfaceVariant(of, std::vector<MapSource>(materialMaps().size()), settings, 0).constants;
+  };
+  EXPECT_EQ(constantsOf(material).lobe_taps, 4);
+  material.perceptual_roughness = 0.0f;
+  EXPECT_EQ(constantsOf(material).lobe_taps, 1);
+  material.unlit = true;
+  EXPECT_EQ(constantsOf(material), ShaderConstants{.texture_filter = formula::kFilterNearest});
 
   const auto shaders = surfaceShaders(gl::Api::es30, {.constants = rich});
   ASSERT_TRUE(shaders);

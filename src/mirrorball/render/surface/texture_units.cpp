@@ -11,7 +11,7 @@ namespace {
 /// The parts that include brdf_look_up.glsl.
 bool readsBrdfTable(const SurfaceVariant& variant) {
   return variant.has(Part::material, MaterialPart::core) || variant.has(Part::sky, SkyPart::occluded_traced) ||
-         variant.has(Part::look_up, LookUpPart::lobe_row) || variant.has(Part::look_up, LookUpPart::strata);
+         variant.readsRows();
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ runTask() {
 milliseconds() { awk '{ print $1 / 10 }' "$1.times" | median; }
 
 timeInRounds "$runs" ours f3d
+[ -s ours.png ] || { echo "ours wrote no picture: $(head -n 1 ours.log)" >&2; exit 1; }
 [ -s f3d.png ] || { echo "F3D wrote no picture: $(head -n 1 f3d.log)" >&2; exit 1; }
 ours=$(milliseconds ours)
 f3d=$(milliseconds f3d)

@@ -2,8 +2,8 @@
 # usage: bench/cold_render.sh PROGRAM RUNS ARGUMENTS OF RENDER…
 #
 # Times the whole process of one render, RUNS times, first with all caches as they are, then without Mesa's cache of
-# compiled shaders, then without the program's own either, and prints the fastest and the median in milliseconds, and
-# then the stages of one run with nothing cached.
+# compiled shaders, then without the program's own either, and prints the fastest, the median and the slowest in
+# milliseconds, and then the stages of one run with nothing cached.
 # For example: bench/cold_render.sh build/release/apps/cli/mirrorball 11 sphere -e lightroom_14b.hdr
 set -eu
 program=$1

@@ -9,6 +9,9 @@ layout(location = 1) in vec3 normal;
 out vec3 world_position;
 out vec3 world_normal;
 
+// Light is drawn where these depths are.
+invariant gl_Position;
+
 void main() {
   vec4 world = world_from_object * vec4(position, 1.0);
   world_position = world.xyz;

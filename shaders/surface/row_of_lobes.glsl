@@ -14,7 +14,9 @@ vec4 lobeRowTexel(int lobe, float perceptual_roughness, float cosine) {
 //   d   where the mirror direction is looked up
 vec3 lightOfRow(Surface s, SurfacePoint point, vec3 d, Patch area) {
   float roughness = s.material.perceptual_roughness;
-  if (LOBE_TAPS == 1) return lightOfPatch(point, d, area, roughness);
+  // Of a smooth coat the compiler knows it.
+  bool is_sharp = HAS_SMOOTH_COAT && roughness == 0.0;
+  if (LOBE_TAPS == 1 || is_sharp) return lightOfPatch(point, d, area, roughness);
   vec3 r = reflect(point.ray, s.normal);
   float cosine = clamp(dot(r, s.normal), 0.0, 1.0);
   vec3 light = vec3(0.0);

@@ -34,6 +34,9 @@ out vec4 vertex_picture;
 flat out vec4 triangle_look_up;
 flat out vec4 triangle_picture;
 
+// Depths that were drawn before are those of this program (render/surface/depth_pass.h).
+invariant gl_Position;
+
 void main() {
   vec4 world = world_from_object * vec4(position, 1.0);
   object_position = position;

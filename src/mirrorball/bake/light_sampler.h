@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -43,12 +45,15 @@ class LightSampler {
   float meanLuminance() const { return mean_luminance_; }
 
  private:
+  int stepOf(std::size_t table, float& u) const;
   float densityOf(int x, int y) const;
 
   int size_ = 0;
   float mean_luminance_ = 0.0f;
-  std::vector<float> rows_;     // of each row, the share of the light up to its end
-  std::vector<float> columns_;  // of each row and in it each column, the share of the row's light up to its end
+  // Tables of running sums, `size_` each: first that of each row's columns, the share of the row's light up to the end
+  // of each; then that of all rows.
+  std::vector<float> sums_;
+  std::vector<std::uint16_t> guides_;  // of each table, where to begin looking
 };
 
 }  // namespace mirrorball

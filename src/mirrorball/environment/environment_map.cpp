@@ -69,7 +69,22 @@ void EnvironmentMap::dropRowsBefore(int row) {
 constexpr int kMinSizeOfCubic = 4;
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
+  if (interpolation == Interpolation::bilinear && !has_disc_) {
+    const MapPosition place = positionOf(projection_, direction);
+    const glm::vec2 position = place.uv * glm::vec2(extent_);
+    if (const auto light = insideImage(place.face, position)) return *light;
+  }
   return interpolated(direction, interpolation).radiance;
+}
+
+/// Bilinear, where all four texels are the image's own.
+std::optional<glm::vec3> EnvironmentMap::insideImage(int face_index, glm::vec2 position) const {
+  const glm::vec2 last = glm::vec2(extent_.x, rows_.end) - 0.5f;
+  const bool is_inside = position.x >= 0.5f && position.x < last.x &&
+                         position.y >= static_cast<float>(rows_.begin) + 0.5f && position.y < last.y;
+  if (!is_inside) return std::nullopt;
+  const Image& image = face(face_index);
+  return glm::vec3(bilinear(position, [&](int x, int y) { return glm::vec4(rgbAt(image, x, y - rows_.begin), 1.0f); }));
 }
 
 EnvironmentMap::Interpolated EnvironmentMap::interpolated(glm::vec3 direction, Interpolation interpolation) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -70,6 +71,7 @@ class EnvironmentMap {
   Interpolated interpolated(glm::vec3 direction, Interpolation interpolation) const;
 
  private:
+  std::optional<glm::vec3> insideImage(int face, glm::vec2 position) const;
   glm::vec4 fetch(int face, int x, int y) const;
   glm::vec4 fetchEquirect(int x, int y) const;
   glm::vec4 fetchFolded(int x, int y) const;

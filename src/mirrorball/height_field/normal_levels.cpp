@@ -19,8 +19,8 @@ constexpr float kWhite = 255.0f;
 constexpr float kShortest = 0.05f;  // several steps of 8 bits: of less, the direction is not known
 
 /// A unit normal with a weight of 1; without a direction all is 0.
-glm::vec4 unitNormal(const std::uint8_t* stored) {
-  const glm::vec3 normal = glm::vec3(stored[0], stored[1], stored[2]) * (2.0f / kWhite) - 1.0f;
+glm::vec4 unitNormal(const std::uint8_t* texel) {
+  const glm::vec3 normal = glm::vec3(texel[0], texel[1], texel[2]) * (2.0f / kWhite) - 1.0f;
   const float length = glm::length(normal);
   return length < kShortest ? glm::vec4(0.0f) : glm::vec4(normal / length, 1.0f);
 }
@@ -34,7 +34,7 @@ Image halvedNormals(const Image8& normals) {
   });
 }
 
-/// Of what is not negative.
+/// Of what is not below 0 but by rounding.
 std::uint8_t stored(float share) { return static_cast<std::uint8_t>(kWhite * share + 0.5f); }
 
 /// The means of a level, as a texture keeps them.
@@ -60,8 +60,7 @@ std::vector<Image8> normalLevels(const Image8& normals) {
   std::span<std::uint8_t> samples = levels.front().samples();
   for (std::size_t alpha = 3; alpha < samples.size(); alpha += 4) samples[alpha] = 255;
   Image sums;
-  const auto is_last = [](const auto& image) { return image.width() == 1 && image.height() == 1; };
-  while (!is_last(levels.back())) {
+  while (levels.back().width() > 1 || levels.back().height() > 1) {
     sums = levels.size() == 1 ? halvedNormals(normals) : halved(sums);
     levels.push_back(encoded(sums));
   }

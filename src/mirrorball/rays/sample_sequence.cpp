@@ -49,10 +49,13 @@ float unitFloat(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f;
 
 }  // namespace
 
+SampleSequence::SampleSequence(std::uint32_t pixel, std::uint32_t index)
+    : seed_(pixel), index_(index), reversed_index_(reversed(index)) {}
+
 glm::vec2 SampleSequence::next() {
   const std::uint32_t seed = hashed(seed_, pair_++);
   // Scrambled as a number, the first 2ⁿ indices become a block of 2ⁿ that follow each other, in another order.
-  const std::uint32_t index = reversed(scrambledReversed(reversed(index_), seed));
+  const std::uint32_t index = reversed(scrambledReversed(reversed_index_, seed));
   const std::uint32_t x = scrambledReversed(index, hashed(seed, 1));
   const std::uint32_t y = scrambledReversed(sobolSecondReversed(index), hashed(seed, 2));
   return {unitFloat(reversed(x)), unitFloat(reversed(y))};

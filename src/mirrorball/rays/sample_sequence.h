@@ -17,7 +17,7 @@ class SampleSequence {
  public:
   /// pixel    any number that tells the pixel from others
   /// index    of the path among those of the pixel; the first 2ⁿ of them are spread well for each n
-  SampleSequence(std::uint32_t pixel, std::uint32_t index) : seed_(pixel), index_(index) {}
+  SampleSequence(std::uint32_t pixel, std::uint32_t index);
 
   /// Two numbers in [0, 1).
   glm::vec2 next();
@@ -29,6 +29,7 @@ class SampleSequence {
  private:
   std::uint32_t seed_;
   std::uint32_t index_;
+  std::uint32_t reversed_index_;  // its binary digits in the other order
   std::uint32_t pair_ = 0;
   std::uint64_t random_ = 0;  // state of the independent numbers; 0: not begun
 };

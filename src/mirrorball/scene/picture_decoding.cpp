@@ -1,6 +1,9 @@
 #include "mirrorball/scene/picture_decoding.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <numeric>
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/image_file.h"
@@ -20,8 +23,17 @@ Result<Image8> decodeWithin(MemoryBudget& budget, EncodedPicture picture) {
 
 std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget) {
   std::vector<Result<Image8>> images(pictures.size());
-  parallelFor(pictures.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) images[i] = decodeWithin(budget, pictures[i]);
+  // The largest first, so that at the end no processor is left alone with one.
+  std::vector<std::size_t> order(pictures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pictures[a].size() > pictures[b].size(); });
+  std::atomic<std::size_t> next = 0;
+  parallelFor(order.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) {
+      const std::size_t i = order[next++];
+      images[i] = decodeWithin(budget, pictures[i]);
+    }
   });
   return images;
 }

@@ -16,75 +16,119 @@ glm::vec3 displayed(glm::vec3 radiance, const Display& display) {
   return glm::vec3(formula::displayed(light, display.exposure(), static_cast<int>(display.tone_map)));
 }
 
+double pathsIn(const PixelSums& sums) { return double(std::max(sums.paths, 1)); }
+
+glm::dvec4 meanOf(const PixelSums& sums) { return sums.light / pathsIn(sums); }
+
 /// Of the mean of a pixel's paths, as if they were independent.
-glm::dvec3 varianceOfMean(const PixelSums& sums, int samples) {
-  const glm::dvec3 mean = glm::dvec3(sums.light) / double(samples);
-  const glm::dvec3 variance = glm::max(sums.squares / double(samples) - mean * mean, glm::dvec3(0.0));
-  return variance / double(std::max(samples - 1, 1));
+glm::dvec3 varianceOfMean(const PixelSums& sums) {
+  const glm::dvec3 mean(meanOf(sums));
+  const glm::dvec3 variance = glm::max(sums.squares / pathsIn(sums) - mean * mean, glm::dvec3(0.0));
+  return variance / std::max(pathsIn(sums) - 1.0, 1.0);
 }
 
-/// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of
-/// the tone curve.
-float displayedError(const PixelSums& sums, int samples, const Display& display) {
-  const glm::vec3 mean(glm::dvec3(sums.light) / double(samples));
-  const glm::vec3 error(glm::sqrt(varianceOfMean(sums, samples)));
+/// A standard error as it is displayed, the mean of its channels: that of the radiance, on the slope of the tone curve.
+float displayedError(glm::vec3 mean, glm::vec3 variance, const Display& display) {
+  const glm::vec3 error = glm::sqrt(variance);
   const glm::vec3 change = displayed(mean + error, display) - displayed(mean - error, display);
   return (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
 }
 
 }  // namespace
 
-void Film::addPass(const Film& pass, int count) {
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    sums_[i].light += pass.sums_[i].light;
-    sums_[i].squares += pass.sums_[i].squares;
-    sums_[i].albedo += pass.sums_[i].albedo;
-    sums_[i].normal += pass.sums_[i].normal;
-    sums_[i].paths += pass.sums_[i].paths;
-    sums_[i].lost += pass.sums_[i].lost;
+Film::Film(glm::ivec2 size, int halves)
+    : size_(size), halves_(std::size_t(halves), std::vector<PixelSums>(std::size_t(size.x) * std::size_t(size.y))) {}
+
+void Film::addPass(const FilmPass& pass, int half) {
+  std::vector<PixelSums>& sums = halves_[std::size_t(half)];
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const PixelSums& added = pass.sums()[i];
+    sums[i].light += added.light;
+    sums[i].squares += added.squares;
+    sums[i].albedo += added.albedo;
+    sums[i].normal += added.normal;
+    sums[i].paths += added.paths;
+    sums[i].lost += added.lost;
   }
-  samples_ += count;
+}
+
+std::uint64_t Film::paths() const {
+  std::uint64_t paths = 0;
+  for (const auto& half : halves_)
+    for (const PixelSums& sums : half) paths += static_cast<std::uint64_t>(sums.paths);
+  return paths;
+}
+
+std::uint64_t Film::lost() const {
+  std::uint64_t lost = 0;
+  for (const auto& half : halves_)
+    for (const PixelSums& sums : half) lost += static_cast<std::uint64_t>(sums.lost);
+  return lost;
+}
+
+/// Of those halves that have paths there.
+template <typename Value>
+auto Film::meanOfHalves(std::size_t pixel, const Value& value) const {
+  auto sum = value(halves_.front()[pixel]);
+  if (halves_.size() == 1 || halves_.back()[pixel].paths == 0) return sum;
+  sum += value(halves_.back()[pixel]);
+  sum /= 2;
+  return sum;
+}
+
+glm::vec3 Film::varianceAt(std::size_t pixel) const {
+  const bool has_two = halves_.size() == 2 && halves_.back()[pixel].paths > 0;
+  return glm::vec3(meanOfHalves(pixel, varianceOfMean) / (has_two ? 2.0 : 1.0));
 }
 
 float Film::noise(const Display& display) const {
   std::vector<double> rows(static_cast<std::size_t>(size_.y));
   parallelFor(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
-      for (std::size_t x = 0; x < std::size_t(size_.x); ++x)
-        rows[y] += double(displayedError(sums_[y * std::size_t(size_.x) + x], samples_, display));
+      for (std::size_t i = y * std::size_t(size_.x); i < (y + 1) * std::size_t(size_.x); ++i)
+        rows[y] += double(displayedError(glm::vec3(meanOfHalves(i, meanOf)), varianceAt(i), display));
   });
-  const auto shown = std::count_if(sums_.begin(), sums_.end(), [](const PixelSums& sums) { return sums.paths > 0; });
+  const auto shown = std::count_if(halves_.front().begin(), halves_.front().end(),
+                                   [](const PixelSums& sums) { return sums.paths > 0; });
   return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) /
                             double(std::max<std::ptrdiff_t>(shown, 1)));
 }
 
-std::uint64_t Film::lost() const {
-  std::uint64_t lost = 0;
-  for (const PixelSums& sums : sums_) lost += static_cast<std::uint64_t>(sums.lost);
-  return lost;
+std::vector<float> Film::errorsOf(int half, const Display& display) const {
+  const std::vector<PixelSums>& sums = halves_[std::size_t(half)];
+  std::vector<float> errors(sums.size());
+  parallelFor(errors.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      errors[i] = displayedError(glm::vec3(meanOf(sums[i])), glm::vec3(varianceOfMean(sums[i])), display);
+  });
+  return errors;
 }
 
 Image Film::radiance() const {
-  return imageOf<4>([&](const PixelSums& sums) { return glm::vec4(sums.light / double(samples_)); });
+  return imageOf<4>([this](std::size_t i) { return glm::vec4(meanOfHalves(i, meanOf)); });
 }
 
 Image Film::albedo() const {
-  return imageOf<3>([&](const PixelSums& sums) { return sums.albedo / float(samples_); });
+  return imageOf<3>([this](std::size_t i) {
+    return meanOfHalves(i, [](const PixelSums& sums) { return glm::vec3(sums.albedo) / float(pathsIn(sums)); });
+  });
 }
 
 Image Film::normal() const {
-  return imageOf<3>([&](const PixelSums& sums) { return sums.normal / float(samples_); });
+  return imageOf<3>([this](std::size_t i) {
+    return meanOfHalves(i, [](const PixelSums& sums) { return glm::vec3(sums.normal) / float(pathsIn(sums)); });
+  });
 }
 
 Image Film::variance() const {
-  return imageOf<3>([&](const PixelSums& sums) { return glm::vec3(varianceOfMean(sums, samples_)); });
+  return imageOf<3>([this](std::size_t i) { return varianceAt(i); });
 }
 
 template <int Channels, typename Value>
 Image Film::imageOf(const Value& value) const {
   Image image(size_.x, size_.y, Channels);
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    const glm::vec<Channels, float> texel = value(sums_[i]);
+  for (std::size_t i = 0; i < halves_.front().size(); ++i) {
+    const glm::vec<Channels, float> texel = value(i);
     std::copy_n(&texel.x, Channels, image.samples().data() + Channels * i);
   }
   return image;

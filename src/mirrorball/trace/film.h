@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,34 +11,54 @@
 
 namespace mirrorball {
 
-/// All that is known of a pixel's paths.
+/// All that is known of a pixel's paths, or of one half of them.
 struct PixelSums {
   glm::dvec4 light{0.0};
   glm::dvec3 squares{0.0};
   glm::vec3 albedo{0.0f};
   glm::vec3 normal{0.0f};
-  int paths = 0;  ///< fewer than the film's where the picture shows nothing
+  int paths = 0;  ///< none where the picture shows nothing
   int lost = 0;   ///< of these, those whose light was no number; they count as black
 };
 
-/// A path-traced picture so far: for each pixel the sum of its paths' light, and of its squares.
-class Film {
+/// A pass over a picture: for each pixel what it adds.
+class FilmPass {
  public:
-  explicit Film(glm::ivec2 size) : size_(size), sums_(std::size_t(size.x) * std::size_t(size.y)) {}
+  explicit FilmPass(glm::ivec2 size) : size_(size), sums_(std::size_t(size.x) * std::size_t(size.y)) {}
 
   glm::ivec2 size() const { return size_; }
-  int samples() const { return samples_; }
-  PixelSums& at(int x, int y) { return sums_[std::size_t(y) * std::size_t(size_.x) + std::size_t(x)]; }
+  PixelSums& at(std::size_t pixel) { return sums_[pixel]; }
+  const std::vector<PixelSums>& sums() const { return sums_; }
 
-  /// Takes a pass of so many paths a pixel that is whole.
-  void addPass(const Film& pass, int count);
+ private:
+  glm::ivec2 size_;
+  std::vector<PixelSums> sums_;
+};
+
+/// A path-traced picture so far: for each pixel the sum of its paths' light, and of its squares. It may have two halves
+/// whose paths know nothing of each other; the picture is the mean of the two, however many paths each has.
+class Film {
+ public:
+  /// halves   1 or 2
+  Film(glm::ivec2 size, int halves);
+
+  glm::ivec2 size() const { return size_; }
+  int halves() const { return static_cast<int>(halves_.size()); }
+  /// Takes a pass over a half that is whole.
+  void addPass(const FilmPass& pass, int half);
+
+  int pathsOf(std::size_t pixel, int half) const { return halves_[std::size_t(half)][pixel].paths; }
+  /// Of all pixels, and of both halves.
+  std::uint64_t paths() const;
+  /// How many paths had no number as their light.
+  std::uint64_t lost() const;
 
   /// The standard error of the picture as it is displayed, encoded, in the mean over its channels and those pixels that
   /// show something: as if the paths of a pixel were independent of each other, which makes it rather too high.
   float noise(const Display& display) const;
 
-  /// How many paths had no number as their light.
-  std::uint64_t lost() const;
+  /// The same of each pixel, of a picture that is this half alone.
+  std::vector<float> errorsOf(int half, const Display& display) const;
 
   /// The mean of the paths: 4 channels.
   Image radiance() const;
@@ -49,10 +70,12 @@ class Film {
  private:
   template <int Channels, typename Value>
   Image imageOf(const Value& value) const;
+  template <typename Value>
+  auto meanOfHalves(std::size_t pixel, const Value& value) const;
+  glm::vec3 varianceAt(std::size_t pixel) const;
 
   glm::ivec2 size_;
-  std::vector<PixelSums> sums_;
-  int samples_ = 0;
+  std::vector<std::vector<PixelSums>> halves_;
 };
 
 }  // namespace mirrorball

@@ -84,7 +84,7 @@ class Path {
   glm::vec3 emittedAlong(Ray ray, const Emitters::Choice& chosen);
   float weightOfEmission(const Vertex& vertex) const;
   void addEmittedToGround(Ray ray);
-  void seeEnvironment(const Ray& ray);
+  glm::vec3 seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const Vertex& vertex) const;
@@ -332,11 +332,16 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   return leaving(vertex, glm::normalize(next->direction));
 }
 
-void Path::seeEnvironment(const Ray& ray) {
+/// Adds the light of the environment along a ray.
+///
+/// returns  that light
+glm::vec3 Path::seeEnvironment(const Ray& ray) {
   const glm::vec3 origin = ray.from ? ray.origin : surroundings_.originOfEye(ray.origin, ray.direction);
-  const float pdf = light_.pdf > 0.0f ? (1.0f - light_.emitter_share) * surroundings_.pdf(origin, ray.direction) : 0.0f;
-  const float weight = light_.weightBeside(pdf, settings_.strategy);
-  light_.sum += light_.throughput * weight * surroundings_.radiance(origin, ray.direction);
+  const SeenLight seen = light_.pdf > 0.0f ? surroundings_.seen(origin, ray.direction)
+                                           : SeenLight{surroundings_.radiance(origin, ray.direction)};
+  const float weight = light_.weightBeside((1.0f - light_.emitter_share) * seen.pdf, settings_.strategy);
+  light_.sum += light_.throughput * weight * seen.radiance;
+  return seen.radiance;
 }
 
 /// Where a ray meets the ground of the environment before anything else.
@@ -357,16 +362,16 @@ PathLight Path::follow(Ray ray) {
     const bool meets = surfaces_ == 0 || meetsSurfaces(ray);
     if (hasBeenInside(ray)) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, light_.throughput) : std::nullopt;
-    if (!on_ground_.goesOn(ray, hit.has_value(), light_)) return ended();
+    if (!on_ground_.goesOn(ray, hit.has_value(), arrives, light_)) return ended();
     const auto ground = groundBefore(ray, hit);
     if (!hit || ground) {
       if (surfaces_ == 0 && !settings_.shows_environment) {
         if (settings_.background) result.radiance = glm::vec4(light_.throughput * *settings_.background, 1.0f);
         return result;
       }
-      seeEnvironment(ray);
+      const glm::vec3 seen = seeEnvironment(ray);
       if (!ground || surfaces_ == settings_.bounces) return ended();
-      ray = on_ground_.scatter(ray, *ground, arrives, light_);
+      ray = on_ground_.scatter(ray, *ground, seen, arrives, light_);
       addEmittedToGround(ray);
       continue;
     }

@@ -18,15 +18,18 @@ constexpr std::uint32_t kGround = ~std::uint32_t{0};
 
 }  // namespace
 
-Ray PathOnGround::scatter(const Ray& ray, float distance, const ShareThatArrives& arrives, CarriedLight& light) {
+Ray PathOnGround::scatter(const Ray& ray, float distance, glm::vec3 photographed, const ShareThatArrives& arrives,
+                          CarriedLight& light) {
   const glm::vec3 up(0.0f, 1.0f, 0.0f);
   const glm::vec3 place = ray.origin + distance * ray.direction;
-  const glm::vec3 photographed = surroundings_.radiance(ray.origin, ray.direction);
   // From below the ground it meets also what lies flat on it.
   const Ray next{
       .origin = formula::besideSurface(place, distance, -up), .from = Hit{.instance = kGround}, .media = ray.media};
   if (surroundings_.groundRoughness() < 1.0f) {
-    if (samples_.nextIndependent() < kMirroredPaths) return mirror(ray, next, photographed, arrives, light);
+    if (samples_.nextIndependent() < kMirroredPaths) {
+      photographed_ = photographed;
+      return mirrored_ = mirror(ray, next, light);
+    }
     light.throughput /= 1.0f - kMirroredPaths;
   }
   return scatterMatt(next, photographed, arrives, light);
@@ -45,12 +48,10 @@ Ray PathOnGround::scatterMatt(Ray next, glm::vec3 photographed, const ShareThatA
 }
 
 /// A ray to what a polished ground may show of the scene, in place of a share of what is there.
-Ray PathOnGround::mirror(const Ray& ray, Ray next, glm::vec3 photographed, const ShareThatArrives& arrives,
-                         CarriedLight& light) {
+Ray PathOnGround::mirror(const Ray& ray, Ray next, CarriedLight& light) {
   const float alpha = formula::alphaFromPerceptualRoughness(surroundings_.groundRoughness());
   next.direction = formula::mirroredByGround(ray.direction, alpha, samples_.next());
   light.throughput *= formula::shareMirroredByGround(ray.direction, next.direction, alpha) / kMirroredPaths;
-  replaced_ = photographed - surroundings_.albedoOfGround(photographed) * hidden(next, true, arrives);
   light.pdf = 0.0f;
   light.emitter_share = 0.0f;
   left_ = Left::mirrored;
@@ -67,16 +68,19 @@ glm::vec3 PathOnGround::hidden(Ray next, bool is_alone, const ShareThatArrives& 
   const float cosine = light.direction.y / formula::kPi;
   const float weight = is_alone ? 1.0f : balanceHeuristic(light.pdf, cosine);
   const glm::vec3 hidden = 1.0f - arrives(next);
+  if (hidden == glm::vec3(0.0f)) return hidden;  // as from most of the ground
   return hidden * surroundings_.radianceFarAway(light.direction) * (weight * cosine / light.pdf);
 }
 
-bool PathOnGround::goesOn(const Ray& ray, bool meets_surface, CarriedLight& light) {
+bool PathOnGround::goesOn(const Ray& ray, bool meets_surface, const ShareThatArrives& arrives, CarriedLight& light) {
   const Left left = std::exchange(left_, Left::no);
   if (!meets_surface) return left == Left::no;
   if (left == Left::scattered)
     light.sum -= light.throughput * light.weightBeside(surroundings_.pdfFarAway(ray.direction), strategy_) *
                  surroundings_.radianceFarAway(ray.direction);
-  if (left == Left::mirrored) light.sum -= light.throughput * replaced_;
+  if (left == Left::mirrored)
+    light.sum -= light.throughput *
+                 (photographed_ - surroundings_.albedoOfGround(photographed_) * hidden(mirrored_, true, arrives));
   return true;
 }
 

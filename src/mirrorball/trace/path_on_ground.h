@@ -26,27 +26,31 @@ class PathOnGround {
 
   /// Chooses how the path leaves the ground: scattered by what is matt, or mirrored where it is polished.
   ///
-  /// ray      meets the ground at that distance
-  /// light    loses what the scene hides; carries the share of the next ray
-  /// returns  the next ray
-  Ray scatter(const Ray& ray, float distance, const ShareThatArrives& arrives, CarriedLight& light);
+  /// ray            meets the ground at that distance
+  /// photographed   the light that the panorama shows along it
+  /// light          loses what the scene hides; carries the share of the next ray
+  /// returns        the next ray
+  Ray scatter(const Ray& ray, float distance, glm::vec3 photographed, const ShareThatArrives& arrives,
+              CarriedLight& light);
 
   /// Asked of each ray once it is known what it meets. Where it has left the ground, `light` loses what is shown in the
   /// panorama in place of the surface that it meets.
   ///
   /// returns  whether the path goes on: not from the ground into the environment, which counts already
-  bool goesOn(const Ray& ray, bool meets_surface, CarriedLight& light);
+  bool goesOn(const Ray& ray, bool meets_surface, const ShareThatArrives& arrives, CarriedLight& light);
 
  private:
   Ray scatterMatt(Ray next, glm::vec3 photographed, const ShareThatArrives& arrives, CarriedLight& light);
-  Ray mirror(const Ray& ray, Ray next, glm::vec3 photographed, const ShareThatArrives& arrives, CarriedLight& light);
+  Ray mirror(const Ray& ray, Ray next, CarriedLight& light);
   glm::vec3 hidden(Ray next, bool is_alone, const ShareThatArrives& arrives);
 
   const Surroundings& surroundings_;
   LightStrategy strategy_;
   SampleSequence& samples_;
   enum class Left { no, scattered, mirrored } left_ = Left::no;  // how the path's ray has left the ground
-  glm::vec3 replaced_{0.0f};                                     // by what a mirrored ray finds
+  // Where it was mirrored:
+  Ray mirrored_;
+  glm::vec3 photographed_{0.0f};  // there
 };
 
 }  // namespace mirrorball

@@ -13,12 +13,10 @@
 #include "mirrorball/trace/camera_rays.h"
 #include "mirrorball/trace/film.h"
 #include "mirrorball/trace/light_path.h"
+#include "mirrorball/trace/path_schedule.h"
 
 namespace mirrorball {
 namespace {
-
-/// The most paths that a pass adds: what an interruption, or a limit of the time, may cost.
-constexpr int kLargestPass = 128;
 
 void addPath(PixelSums& sums, const PathLight& path) {
   const glm::vec4& light = path.radiance;
@@ -34,21 +32,13 @@ void addPath(PixelSums& sums, const PathLight& path) {
   sums.normal += path.normal;
 }
 
-/// The paths of one pass.
-struct PassRange {
-  int first;     ///< index of the first one of a pixel
-  int count;     ///< of a pixel
-  int expected;  ///< how many paths of a pixel there will be in all passes, as far as is known
+/// What one pass draws.
+struct PassPlan {
+  const Film& film;  ///< to whose paths it adds
+  int half;          ///< of the film
+  const PathCounts& counts;
+  std::uint64_t expected;  ///< how many paths there will be in all passes, as far as is known
 };
-
-/// How many paths a pixel there will be, after so many with this noise in this time.
-int expectedSamples(const TraceSettings& settings, int samples, float noise, float elapsed_s) {
-  double expected = settings.samples;
-  // Errors fall with the root of the number of paths.
-  if (settings.noise > 0.0f) expected = std::min(expected, samples * std::pow(double(noise / settings.noise), 2.0));
-  if (settings.time_s > 0.0f) expected = std::min(expected, samples * double(settings.time_s / elapsed_s));
-  return static_cast<int>(std::ceil(expected));
-}
 
 /// The images of a map that lie one below the other. What is transparent is black.
 ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) {
@@ -75,7 +65,7 @@ struct PathTracer::State : World {
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                      const TraceObserver& observer) const;
   bool drawPass(const CameraRays& rays, const Surroundings& surroundings, const Emitters& emitters,
-                const TraceSettings& settings, const PassRange& range, Film& pass,
+                const TraceSettings& settings, const PassPlan& plan, FilmPass& pass,
                 const ProgressFunction& progress) const;
 };
 
@@ -111,28 +101,34 @@ void PathTracer::setMaterials(std::vector<Material> materials) {
 
 /// returns  whether the pass is whole
 bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& surroundings, const Emitters& emitters,
-                                 const TraceSettings& settings, const PassRange& range, Film& pass,
+                                 const TraceSettings& settings, const PassPlan& plan, FilmPass& pass,
                                  const ProgressFunction& progress) const {
   std::atomic<bool> is_stopped = false;
-  const glm::ivec2 size = pass.size();
-  const auto rows = static_cast<std::size_t>(size.y);
-  const std::size_t pixels = rows * static_cast<std::size_t>(size.x);
-  std::atomic<std::size_t> paths_done = pixels * std::size_t(range.first);
-  const std::size_t paths_in_all = pixels * std::size_t(range.expected);
-  parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end && !is_stopped; ++row) {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < size.x && !is_stopped; ++x) {
-        PixelSums& sums = pass.at(x, y);
-        sums = {};
-        for (int index = range.first; index < range.first + range.count; ++index) {
-          SampleSequence samples(static_cast<std::uint32_t>(y * size.x + x), static_cast<std::uint32_t>(index));
-          if (const auto ray = rays(glm::vec2(x, y) + samples.next()))
-            addPath(sums, lightAlong(*this, surroundings, emitters, settings, *ray, samples));
-        }
-        paths_done += std::size_t(range.count);
-        if (progress && !progress(paths_done, paths_in_all)) is_stopped = true;
-      }
+  const auto width = static_cast<std::size_t>(pass.size().x);
+  const std::size_t pixels = width * static_cast<std::size_t>(pass.size().y);
+  std::atomic<std::size_t> paths_done = plan.film.paths();
+  const auto drawPixel = [&](std::size_t pixel) {
+    PixelSums& sums = pass.at(pixel) = {};
+    const glm::vec2 corner(pixel % width, pixel / width);
+    const auto sequence = static_cast<std::uint32_t>(pixel + std::size_t(plan.half) * pixels);
+    const int first = plan.film.pathsOf(pixel, plan.half);
+    const int end = plan.counts.at(pixel);
+    for (int index = first; index < end; ++index) {
+      SampleSequence samples(sequence, static_cast<std::uint32_t>(index));
+      if (const auto ray = rays(corner + samples.next()))
+        addPath(sums, lightAlong(*this, surroundings, emitters, settings, *ray, samples));
+    }
+    return static_cast<std::size_t>(std::max(end - first, 0));
+  };
+  // To report each pixel would take as long as a tenth of a short path.
+  constexpr std::size_t kPixelsBetweenReports = 16;
+  parallelFor(pixels, kPixelsBetweenReports, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pixel = begin; pixel < end && !is_stopped;) {
+      const std::size_t next = std::min(pixel + kPixelsBetweenReports, end);
+      std::size_t paths = 0;
+      for (; pixel < next; ++pixel) paths += drawPixel(pixel);
+      paths_done += paths;
+      if (progress && !progress(paths_done, std::max<std::size_t>(plan.expected, paths_done))) is_stopped = true;
     }
   });
   return !is_stopped;
@@ -142,41 +138,38 @@ bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& sur
 Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                                       const TraceObserver& observer) const {
   const auto start = std::chrono::steady_clock::now();
-  const glm::ivec2 size = settings.size;
-  const std::uint64_t pixels = std::uint64_t(size.x) * std::uint64_t(size.y);
+  const std::uint64_t pixels = std::uint64_t(settings.size.x) * std::uint64_t(settings.size.y);
+  const bool is_to_noise = settings.noise > 0.0f && settings.samples >= kMinPathsForNoise;
+  const int halves = is_to_noise ? 2 : 1;
   const std::uint64_t channels = settings.wants_layers ? 13 : 4;
-  MIRRORBALL_TRY_VOID(
-      withName("the picture", checkMemory(pixels * (2 * sizeof(PixelSums) + channels * sizeof(float)))));
+  MIRRORBALL_TRY_VOID(withName(
+      "the picture", checkMemory(pixels * (std::uint64_t(halves + 1) * sizeof(PixelSums) + channels * sizeof(float)))));
   MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
   const Surroundings surroundings(environment, lights, std::move(proxy), settings);
   const Emitters emitters(scene, world_from_normal, settings.environment_intensity * lights.meanLuminance(), settings);
-  Film film(size), pass(size);
-  const int max_samples = std::max(settings.samples, 1);
-  int expected = max_samples;
-  while (film.samples() < max_samples) {
-    const int done = film.samples();
-    const int count = std::min({std::max(done, 1), kLargestPass, max_samples - done});
-    if (!drawPass(rays, surroundings, emitters, settings, {done, count, std::max(expected, done + count)}, pass,
-                  observer.progress)) {
-      picture.is_interrupted = true;
-      break;
-    }
-    film.addPass(pass, count);
+  Film film(settings.size, halves);
+  FilmPass pass(settings.size);
+  bool has_whole_pass = false;
+  const auto draw = [&](int half, const PathCounts& counts, std::uint64_t expected) {
+    if (!drawPass(rays, surroundings, emitters, settings, {film, half, counts, expected}, pass, observer.progress))
+      return false;
+    film.addPass(pass, half);
+    has_whole_pass = true;
+    return true;
+  };
+  const auto samplesOf = [&] { return static_cast<int>((film.paths() + pixels / 2) / pixels); };
+  const auto goesOn = [&] {
+    if (observer.pass) observer.pass(samplesOf(), film.noise(settings.display));
     const std::chrono::duration<float> elapsed = std::chrono::steady_clock::now() - start;
-    if (settings.time_s > 0.0f && elapsed.count() >= settings.time_s) break;
-    // The noise takes about as long as one path a pixel: only where someone asks for it.
-    const float noise = settings.noise > 0.0f || observer.pass ? film.noise(settings.display) : 0.0f;
-    if (observer.pass) observer.pass(film.samples(), noise);
-    // The error of few paths is not known well enough to stop by it.
-    constexpr int kMinSamples = 16;
-    if (settings.noise > 0.0f && film.samples() >= kMinSamples && noise <= settings.noise) break;
-    expected = expectedSamples(settings, film.samples(), noise, elapsed.count());
-  }
-  if (film.samples() == 0)
-    return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
-  picture.samples = film.samples();
+    return settings.time_s == 0.0f || elapsed.count() < settings.time_s;
+  };
+  const auto trace = is_to_noise ? traceToNoise : traceEvenly;
+  picture.is_interrupted = !trace(film, settings, draw, goesOn);
+  picture.samples = samplesOf();
   picture.noise = film.noise(settings.display);
   picture.lost_paths = film.lost();
+  if (picture.is_interrupted && !has_whole_pass)
+    return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
   return film;
 }
 

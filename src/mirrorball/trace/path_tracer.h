@@ -30,7 +30,7 @@ struct TraceLayers {
 struct TracedPicture {
   Image radiance;  ///< linear: 4 channels, premultiplied alpha, row 0 at the top
   std::optional<TraceLayers> layers = {};
-  int samples = 0;     ///< paths a pixel
+  int samples = 0;     ///< paths a pixel, in the mean
   float noise = 0.0f;  ///< mean standard error of the displayed picture, as of independent paths: rather too high
   std::uint64_t lost_paths = 0;  ///< whose light was no number, as by overflow; they count as black
   bool is_interrupted = false;   ///< before it was good enough
@@ -87,7 +87,8 @@ class PathTracer {
   /// materials   for each of those before one, with the same heights, as deep and as dense
   void setMaterials(std::vector<Material> materials);
 
-  /// Draws passes over the whole picture, each with as many paths as all before it, up to 128.
+  /// Draws passes over the whole picture, each with as many paths as all before it, up to 128. With `noise` as the
+  /// limit, paths are drawn where the noise is (path_schedule.h).
   ///
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
   /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole

@@ -33,6 +33,13 @@ glm::vec3 Surroundings::radiance(glm::vec3 origin, glm::vec3 direction) const {
   return radianceFarAway(sightFrom(proxy_, origin, direction).direction);
 }
 
+SeenLight Surroundings::seen(glm::vec3 origin, glm::vec3 direction) const {
+  if (proxy_.kind == ProxyKind::none) return {radianceFarAway(direction), pdfFarAway(direction)};
+  const formula::ProxyHit here = hitOf(proxy_, origin, direction);
+  const formula::ProxySight sight = formula::sightOfProxy(here, proxy_.captured_at, direction);
+  return {radianceFarAway(sight.direction), pdfOf(here, sight)};
+}
+
 /// Whether a ray from a place and one from the capture meet the same place: of triangles, which may hide each other and
 /// have holes, they may not.
 bool Surroundings::isSame(const formula::ProxyHit& here, const formula::ProxyHit& there) const {
@@ -60,7 +67,10 @@ LightSample Surroundings::sample(glm::vec3 origin, glm::vec2 u) const {
 float Surroundings::pdf(glm::vec3 origin, glm::vec3 direction) const {
   if (proxy_.kind == ProxyKind::none) return pdfFarAway(direction);
   const formula::ProxyHit here = hitOf(proxy_, origin, direction);
-  const formula::ProxySight sight = formula::sightOfProxy(here, proxy_.captured_at, direction);
+  return pdfOf(here, formula::sightOfProxy(here, proxy_.captured_at, direction));
+}
+
+float Surroundings::pdfOf(const formula::ProxyHit& here, const formula::ProxySight& sight) const {
   if (proxy_.kind == ProxyKind::mesh && !isSame(here, hitOf(proxy_, proxy_.captured_at, sight.direction))) return 0.0f;
   return pdfFarAway(sight.direction) * sight.enlargement;
 }
@@ -70,7 +80,8 @@ glm::vec3 Surroundings::originOfEye(glm::vec3 origin, glm::vec3 direction) const
 }
 
 std::optional<float> Surroundings::distanceToGround(glm::vec3 origin, glm::vec3 direction) const {
-  if (proxy_.kind != ProxyKind::ground || origin.y <= proxy_.ground || !proxy_.holds(origin)) return std::nullopt;
+  if (proxy_.kind != ProxyKind::ground || direction.y >= 0.0f || origin.y <= proxy_.ground || !proxy_.holds(origin))
+    return std::nullopt;
   const formula::ProxyHit hit = hitOf(proxy_, origin, direction);
   return hit.is_ground ? std::optional(hit.distance) : std::nullopt;
 }

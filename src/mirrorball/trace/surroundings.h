@@ -11,6 +11,12 @@
 
 namespace mirrorball {
 
+/// Light of the environment along a ray.
+struct SeenLight {
+  glm::vec3 radiance{0.0f};
+  float pdf = 0.0f;  ///< density with which Surroundings::sample returns directions around the ray's [1/sr]
+};
+
 /// The environment as places of a scene see it: turned, scaled, and near where it has a proxy.
 class Surroundings {
  public:
@@ -32,6 +38,9 @@ class Surroundings {
   /// The density with which `sample` returns directions around that one [1/sr].
   float pdf(glm::vec3 origin, glm::vec3 direction) const;
 
+  /// Both, in little more time than one of them.
+  SeenLight seen(glm::vec3 origin, glm::vec3 direction) const;
+
   /// Where on its line a ray of the eye begins: there, or nearest to the capture if that is outside of the proxy.
   glm::vec3 originOfEye(glm::vec3 origin, glm::vec3 direction) const;
 
@@ -51,6 +60,7 @@ class Surroundings {
   float pdfFarAway(glm::vec3 direction) const;
 
  private:
+  float pdfOf(const formula::ProxyHit& here, const formula::ProxySight& sight) const;
   bool isSame(const formula::ProxyHit& here, const formula::ProxyHit& there) const;
 
   const Environment& environment_;

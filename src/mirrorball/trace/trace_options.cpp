@@ -37,7 +37,9 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
       .value = "X",
       .minimum = 1e-5,
       .maximum = 1,
-      .help = "stop when the mean standard error of the picture is below X; 0.004 is one step of an 8-bit picture",
+      .help =
+          "stop when the mean standard error of the picture is below X, with more paths where it is high; 0.004 is one "
+          "step of an 8-bit picture",
       .group = "Reference"},
      &TraceSettings::noise},
     {{.name = "time",

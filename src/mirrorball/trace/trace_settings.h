@@ -25,7 +25,7 @@ enum class LightStrategy {
 /// What a path-traced picture shows, and when it is good enough.
 struct TraceSettings {
   glm::ivec2 size{1280, 720};  ///< pixels
-  int samples = 256;           ///< paths a pixel, at most; at least 1
+  int samples = 256;           ///< paths of each pixel, at most; at least 1
   float noise = 0.0f;          ///< mean standard error of the displayed picture, in [0, 1], that is enough; 0: none is
   float time_s = 0.0f;         ///< after which no further pass over the picture is begun; 0: no limit
   Display display = {};        ///< that `noise` is about

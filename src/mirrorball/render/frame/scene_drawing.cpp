@@ -274,6 +274,8 @@ Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const Envir
   setBlending(is_blended);
   chooseCulling(made->instance, frame);
   if (frame.sample.mask) frame.sample.mask->limit();  // by whose test drivers tell programs apart, too
+  device_->depthPass().draw(scene(), made->instance, staged_->buffers(), frame.sample.camera,
+                            DepthPass::Offset::farther);
   surfaces_.tryOut(scene(), staged_->buffers(), settings);
   if (frame.sample.mask) frame.sample.mask->end();
   if (is_blended) setBlending(false);

@@ -34,17 +34,16 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
   return ways * (material.dispersion == 0.0f ? 1 : kinds);
 }
 
-/// How many lobes make up a reflection.
-int lobesOfReflection(float perceptual_roughness, const Material& material, const FrameSettings& settings,
-                      const CoordinateChoice& coordinates) {
-  return perceptual_roughness > 0.0f && readsLobeRow(material, settings, coordinates) ? lobesOf(settings) : 1;
+/// How many lobes make up a rough reflection.
+int lobesOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  return readsLobeRow(material, settings, coordinates) ? lobesOf(settings) : 1;
 }
 
 /// How many directions reflected light is read from at most.
 int readsOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (stretchesLobes(material, settings, coordinates)) return formula::kTapsOfStretchedLobe;
   if (readsStrata(material, settings, coordinates)) return formula::kStrata;
-  return lobesOfReflection(material.perceptual_roughness, material, settings, coordinates);
+  return lobesOfReflection(material, settings, coordinates);
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
@@ -66,7 +65,7 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
   };
   read(reflected + refracted, material.perceptual_roughness);
   read(on_cloth, formula::kSheenTapRoughness);
-  const int of_coat = lobesOfReflection(material.clearcoat_roughness, material, settings, coordinates);
+  const int of_coat = hasSmoothCoat(material) ? 1 : lobesOfReflection(material, settings, coordinates);
   read(coordinates.is_sphere_map ? 0 : coats * of_coat, material.clearcoat_roughness);
   return reads;
 }

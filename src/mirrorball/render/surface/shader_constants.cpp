@@ -14,7 +14,17 @@ ShaderConstants shaderConstants(const Material& material, const FrameSettings& s
           .fresnel = material.fresnel,
           .has_conductor_index = formula::hasConductorIndex(material),
           .disperses = material.dispersion != 0.0f,
-          .has_specular_color = material.specular_color != glm::vec3(1.0f) || material.specular_color_map.texture >= 0};
+          .has_specular_color = material.specular_color != glm::vec3(1.0f) || material.specular_color_map.texture >= 0,
+          .has_smooth_coat = hasSmoothCoat(material)};
+}
+
+ShaderConstants seenFromInside(const ShaderConstants& constants) {
+  return {
+      .texture_filter = constants.texture_filter, .blur_kind = constants.blur_kind, .lobe_taps = constants.lobe_taps};
+}
+
+bool hasSmoothCoat(const Material& material) {
+  return material.clearcoat > 0.0f && material.clearcoat_roughness == 0.0f && material.clearcoat_normal_map.texture < 0;
 }
 
 std::vector<std::string> definitionsOf(const ShaderConstants& constants) {
@@ -26,7 +36,8 @@ std::vector<std::string> definitionsOf(const ShaderConstants& constants) {
           number("FRESNEL", constants.fresnel),
           flag("HAS_CONDUCTOR_INDEX", constants.has_conductor_index),
           flag("DISPERSES", constants.disperses),
-          flag("HAS_SPECULAR_COLOR", constants.has_specular_color)};
+          flag("HAS_SPECULAR_COLOR", constants.has_specular_color),
+          flag("HAS_SMOOTH_COAT", constants.has_smooth_coat)};
 }
 
 }  // namespace mirrorball

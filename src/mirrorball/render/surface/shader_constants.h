@@ -23,11 +23,19 @@ struct ShaderConstants {
   bool has_conductor_index = false;
   bool disperses = false;
   bool has_specular_color = false;  ///< other than white, at some place
+  bool has_smooth_coat = false;     ///< whose reflection is sharp everywhere
 
   auto operator<=>(const ShaderConstants&) const = default;
 };
 
 ShaderConstants shaderConstants(const Material& material, const FrameSettings& settings);
+
+/// Of a surface that the eye's ray meets from inside of bodies, whose own numbers are not read
+/// (shaders/surface/material_from_inside.glsl).
+ShaderConstants seenFromInside(const ShaderConstants& constants);
+
+/// Whether a material has a clear coat of roughness 0, also where a pixel averages bumps of the coat away.
+bool hasSmoothCoat(const Material& material);
 
 /// For the shaders' preprocessor: "NAME value".
 std::vector<std::string> definitionsOf(const ShaderConstants& constants);

@@ -103,6 +103,7 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
   SurfaceVariant from_inside = variant(seen);
   from_inside.choose(Part::material, MaterialPart::from_inside);
+  from_inside.constants = seenFromInside(from_inside.constants);
   return from_inside;
 }
 
@@ -122,12 +123,14 @@ SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
               .light = lightRead(variant, instance)};
 }
 
-/// Where triangles are fewer than pixels, to draw them twice costs less than the light of what they hide. Light that is
-/// searched for along rays costs more in any case.
+/// Where triangles and draws are few beside pixels, to draw them twice costs less than the light of what they hide.
+/// Light that is searched for along rays costs more in any case.
 void SurfaceDrawing::chooseDepthsFirst(const Scene& scene, glm::ivec2 size_px, std::vector<Draw>& draws) {
   std::size_t triangles = 0;
   for (const Draw& draw : draws) triangles += scene.meshes[std::size_t(draw.mesh)]->indices.size() / 3;
-  const bool are_few = triangles < static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
+  constexpr std::size_t kTrianglesOfDraw = 32;  // that take as long as what a draw needs by itself
+  const std::size_t pixels = static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
+  const bool are_few = triangles + kTrianglesOfDraw * draws.size() < pixels;
   for (Draw& draw : draws) {
     const SurfaceVariant& variant = *draw.variant;
     const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||

@@ -385,7 +385,8 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::proxy, coordinates.is_sphere_map ? ProxyKind::none : settings.proxy.kind);
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
-  if (!variant.readsRows()) variant.constants.lobe_taps = 1;  // so that no other program is made for what is not read
+  // So that no other program is made for what is not read.
+  if (!readsLobeRow(material, settings, coordinates)) variant.constants.lobe_taps = 1;
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::behind, behindPart(material, variant.maps, settings));

@@ -100,6 +100,13 @@ TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
   EXPECT_EQ(constantsOf(material).lobe_taps, 4);
   material.perceptual_roughness = 0.0f;
   EXPECT_EQ(constantsOf(material).lobe_taps, 1);
+  material.normal_map.texture = 0;  // whose strata have no lobes to tell apart
+  EXPECT_EQ(constantsOf(material).lobe_taps, 1);
+  material.clearcoat = 1.0f;
+  material.clearcoat_roughness = 0.0f;
+  EXPECT_TRUE(constantsOf(material).has_smooth_coat);
+  EXPECT_EQ(seenFromInside(constantsOf(material)),
+            (ShaderConstants{.texture_filter = formula::kFilterNearest, .lobe_taps = 1}));
   material.unlit = true;
   EXPECT_EQ(constantsOf(material), ShaderConstants{.texture_filter = formula::kFilterNearest});
 

@@ -1,0 +1,91 @@
+#include "mirrorball/trace/path_schedule.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/trace/path_tracer_testing.h"
+
+namespace mirrorball {
+namespace {
+
+TEST(PathCounts, GrowWithSharesBetweenLeastAndMost) {
+  const PathCounts even{.least = 5};
+  EXPECT_EQ(even.at(3), 5);
+  const PathCounts counts{.least = 8, .most = 100, .shares = {0.1f, 1.0f, 9.0f}, .scale = 20.0f};
+  EXPECT_EQ(counts.at(0), 8);
+  EXPECT_EQ(counts.at(1), 20);
+  EXPECT_EQ(counts.at(2), 100);
+}
+
+// However many paths a half has, it counts as much as the other.
+TEST(Film, IsTheMeanOfItsHalves) {
+  Film film({1, 1}, 2);
+  FilmPass pass({1, 1});
+  pass.at(0) = {.light = glm::dvec4(1.0), .squares = glm::dvec3(1.0), .paths = 1};
+  film.addPass(pass, 0);
+  EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.0f) << "of the only half that has paths";
+  pass.at(0) = {.light = glm::dvec4(6.0), .squares = glm::dvec3(20.0), .paths = 3};
+  film.addPass(pass, 1);
+  EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.5f);
+  EXPECT_EQ(film.paths(), 4u);
+  // Of the second half (20/3 − 4) / 2; of the mean a quarter of that and of the first's, which one path does not tell.
+  EXPECT_NEAR(film.variance().texel(0, 0)[0], (20.0 / 3.0 - 4.0) / 2.0 / 4.0, 1e-6);
+}
+
+// Glass, gold and a mirror, before a background without noise.
+TEST(PathSchedule, DrawsPathsWhereTheNoiseIsWithoutBias) {
+  Scene scene = *loadModel("showcase");
+  const BoundingSphere bounds = boundingSphere(scene);
+  const auto tracer = PathTracer::make(std::move(scene), *builtinEnvironment("studio"));
+  ASSERT_TRUE(tracer);
+  const Camera camera = makeCamera({}, bounds, 1.5f);
+  TraceSettings settings{.size = {48, 32}, .samples = 256};
+  const auto even = tracer->render(camera, settings);
+  ASSERT_TRUE(even);
+  settings.noise = even->noise;
+  settings.samples = 1 << 16;
+  const auto aimed = tracer->render(camera, settings);
+  ASSERT_TRUE(aimed);
+  EXPECT_LE(aimed->noise, even->noise);
+  EXPECT_LT(aimed->samples, 256 * 3 / 4);
+  const glm::dvec3 a = testing::meansOf(even->radiance), b = testing::meansOf(aimed->radiance);
+  EXPECT_NEAR(a.y, b.y, 0.004 * a.y);
+  const auto again = tracer->render(camera, settings);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(std::ranges::equal(again->radiance.samples(), aimed->radiance.samples()));
+}
+
+// Pixels whose first paths are all of one dark kind get no fewer paths for it: by their own first paths they would, and
+// would stay too dark. Light falls through few, small holes, as a lamp seen by one path in ten.
+TEST(PathSchedule, KeepsTheMeanOfRareLight) {
+  const glm::vec3 lamp = glm::normalize(glm::vec3(0.3f, 1.0f, 0.5f));
+  const Environment light([=](glm::vec3 d) { return glm::vec3(glm::dot(d, lamp) > 0.95f ? 10.0f : 0.05f); }, 64);
+  Scene scene = testing::shapeOf("sphere", testing::matt(0.8f));
+  const BoundingSphere bounds = boundingSphere(scene);
+  const auto tracer = PathTracer::make(std::move(scene), light);
+  ASSERT_TRUE(tracer);
+  const Camera camera = makeCamera({}, bounds, 1.0f);
+  TraceSettings settings{.size = {32, 32}, .samples = 4096, .strategy = LightStrategy::surface};
+  const auto even = tracer->render(camera, settings);
+  settings.noise = 0.03f;
+  const auto aimed = tracer->render(camera, settings);
+  ASSERT_TRUE(even && aimed);
+  EXPECT_LT(aimed->samples, 1000);
+  const double truth = testing::meansOf(even->radiance).y;
+  EXPECT_NEAR(testing::meansOf(aimed->radiance).y, truth, 0.01 * truth);
+}
+
+TEST(PathSchedule, EndsWhereEachPixelHasAllThatItMayHave) {
+  const Scene scene = testing::shapeOf("sphere", testing::matt(0.8f));
+  const BoundingSphere bounds = boundingSphere(scene);
+  const auto tracer = PathTracer::make(scene, *builtinEnvironment("studio"));
+  ASSERT_TRUE(tracer);
+  const auto picture = tracer->render(makeCamera({}, bounds, 1.0f), {.size = {8, 8}, .samples = 32, .noise = 1e-5f});
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->samples, 32);
+}
+
+}  // namespace
+}  // namespace mirrorball

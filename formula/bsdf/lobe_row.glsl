@@ -18,6 +18,9 @@ struct RoundLobe {
 // The table of rows: `kLobeRowSize` columns a lobe, lobes beside each other, those of rows of 2, of 4 and of 6.
 const int kLobeRowSize = 24;
 
+// No lobe's roughness is less than this, times the surface's.
+const float kNarrowestInRow = 0.33f;
+
 // The first lobe of a row of 2, 4 or 6 in the table.
 FN int firstOfRow(int lobes) { return (lobes / 2) * (lobes / 2 - 1); }
 

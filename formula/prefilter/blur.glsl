@@ -17,7 +17,15 @@ FN float roughnessOverPatch(float perceptual_roughness, float patch_sr) {
   return min(sqrt(sqrt(alpha * alpha + 0.0288811f * patch_sr)), 1.0f);
 }
 
-// A chain of bake/prefilter/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip
+// A chain of bake/prefilter/prefilter.h, by a lobe that is at least as wide as that of its first level.
+FN vec4 chainLight(Blur blur, CUBE_SAMPLER prefiltered, vec3 d, float perceptual_roughness, float minified) {
+  // A texel's own width is in the chain.
+  float patch_sr = (exp2(2.0f * minified) - 1.0f) / (blur.texels_per_radian * blur.texels_per_radian);
+  float widened = lodOfRoughness(roughnessOverPatch(perceptual_roughness, patch_sr), blur.last_level);
+  return sampleLod(prefiltered, d, max(widened, 1.0f) - blur.first_level);
+}
+
+// The same by any lobe. For the mirror's level 0 the environment itself stands in, with as many mip
 // levels as a pixel's footprint asks for; the others' lobes are much wider than their texels, and are widened by it.
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
@@ -25,10 +33,7 @@ FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefi
   vec4 smooth_light = vec4(0.0f);
   if (lod < 1.0f) smooth_light = sampleLod(environment, d, minified);
   if (lod <= 0.0f) return smooth_light;
-  // A texel's own width is in the chain.
-  float patch_sr = (exp2(2.0f * minified) - 1.0f) / (blur.texels_per_radian * blur.texels_per_radian);
-  float widened = lodOfRoughness(roughnessOverPatch(perceptual_roughness, patch_sr), blur.last_level);
-  return mix(smooth_light, sampleLod(prefiltered, d, max(widened, 1.0f) - blur.first_level), min(lod, 1.0f));
+  return mix(smooth_light, chainLight(blur, prefiltered, d, perceptual_roughness, minified), min(lod, 1.0f));
 }
 
 // Point i of n of GGX's reflected lobe about +Z for n = v = r, at even shares of what the half vector's density sends

@@ -2,6 +2,8 @@
 //   vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint)
 //                                       radiance from the direction d, blurred for the roughness;
 //                                       footprint: the solid angle that one sample of a pixel sees, in sr; 0: any
+//   vec3 lightOfLobe(vec3 origin, vec3 d, float perceptual_roughness, float footprint)
+//                                       the same by a lobe of the surface's own reflection
 //   vec3 arrivingIrradiance(vec3 origin, vec3 n)      on a surface with the normal n, divided by π
 // Here: an environment in cube maps.
 

@@ -6,14 +6,24 @@
 #include "blur.glsl"
 #include "sampling.glsl"
 
-vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
+vec3 arrivingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint, bool is_wide) {
   Blur blur = Blur(BLUR_KIND, first_level, last_level, texels_per_radian);
   ProxySight sight = sightFrom(origin, d);
   float seen = footprint * sight.enlargement;
   float minified = readsMipLevels(TEXTURE_FILTER) ? footprintLod(seen, texels_per_radian) : 0.0;
-  vec4 light = blurredLight(blur, environment, prefiltered, environment_from_world * sight.direction,
-                            roughnessBeyondProxy(perceptual_roughness, sight.enlargement), minified);
+  vec3 direction = environment_from_world * sight.direction;
+  float roughness = roughnessBeyondProxy(perceptual_roughness, sight.enlargement);
+  vec4 light = is_wide ? chainLight(blur, prefiltered, direction, roughness, minified)
+                       : blurredLight(blur, environment, prefiltered, direction, roughness, minified);
   return environment_intensity * lightOfProxy(sight, light.xyz);
+}
+
+vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
+  return arrivingLight(origin, d, perceptual_roughness, footprint, false);
+}
+
+vec3 lightOfLobe(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
+  return arrivingLight(origin, d, perceptual_roughness, footprint, HAS_WIDE_LOBES);
 }
 
 vec3 arrivingIrradiance(vec3 origin, vec3 n) {

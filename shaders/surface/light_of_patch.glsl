@@ -29,11 +29,11 @@ int readsOfPatch(Patch area, float perceptual_roughness) {
 
 vec3 lightOfPatch(SurfacePoint point, vec3 d, Patch area, float perceptual_roughness) {
   if (TEXTURE_FILTER != kFilterAnisotropic)
-    return incomingLight(point.position, d, perceptual_roughness, area.footprint);
+    return lightOfLobe(point.position, d, perceptual_roughness, area.footprint);
   int reads = readsOfPatch(area, perceptual_roughness);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < reads; ++i)
-    sum += incomingLight(point.position, normalize(d + placeOfRead(i, reads) * area.along), perceptual_roughness,
-                         area.footprint / float(reads));
+    sum += lightOfLobe(point.position, normalize(d + placeOfRead(i, reads) * area.along), perceptual_roughness,
+                       area.footprint / float(reads));
   return sum / float(reads);
 }

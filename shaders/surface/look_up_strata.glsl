@@ -24,8 +24,8 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
     SurfacePoint part = stratumOf(point, placeInStratum(i, random), kReadOfStratum / float(kStrataAcross));
     vec3 n = detailedNormal(part, smoothNormal(part));
     n = facingNormal(seesFront() ? n : -n, point.ray);
-    light += incomingLight(point.position, lookUpDirection(part, n),
-                           widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)), footprint);
+    light += lightOfLobe(point.position, lookUpDirection(part, n),
+                         widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)), footprint);
   }
   return light / float(kStrata);
 }

@@ -9,6 +9,8 @@ namespace {
 
 const Case kCases[] = {
     // blur
+    PARITY(chainLight, direction, kTight,
+           chainLight(Blur(0, 1.0f, 6.0f, 32.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
     PARITY(prefilteredLight, direction, kTight,
            prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
     PARITY(roughnessOverPatch, unit, kTight, vec4(roughnessOverPatch(p.x, 0.1f * p.y), 0.0f, 0.0f, 0.0f)),

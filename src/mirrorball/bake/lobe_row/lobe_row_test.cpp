@@ -22,6 +22,15 @@ std::vector<glm::vec4> rowOf(const Image& table, float perceptual_roughness, flo
   return lobeRowIn(table, 0, table.width() / kSize, perceptual_roughness, cosine);
 }
 
+TEST(LobeRow, NoLobeIsNarrowerThanTheFormulasSay) {
+  const Image table = *lobeRowTable();
+  float narrowest = 1.0f;
+  for (int y = 0; y < table.height(); ++y)
+    for (int x = 0; x < table.width(); ++x) narrowest = std::min(narrowest, table.texel(x, y)[1]);
+  EXPECT_GE(narrowest, formula::kNarrowestInRow);
+  EXPECT_LT(narrowest, formula::kNarrowestInRow + 0.05f);
+}
+
 // The fit has the formulas in full precision: they are those that the shaders have.
 TEST(LobeRow, FitKnowsTheFormulas) {
   const RoughLobe lobe = RoughLobe::make(0.5f, 0.4, 56);

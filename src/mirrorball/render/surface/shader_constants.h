@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "formula/prefilter.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/scene/material/material.h"
 
@@ -24,6 +25,7 @@ struct ShaderConstants {
   bool disperses = false;
   bool has_specular_color = false;  ///< other than white, at some place
   bool has_smooth_coat = false;     ///< whose reflection is sharp everywhere
+  bool has_wide_lobes = false;      ///< of which none needs the environment beside its prefiltered chain
 
   auto operator<=>(const ShaderConstants&) const = default;
 };
@@ -33,6 +35,12 @@ ShaderConstants shaderConstants(const Material& material, const FrameSettings& s
 /// Of a surface that the eye's ray meets from inside of bodies, whose own numbers are not read
 /// (shaders/surface/material_from_inside.glsl).
 ShaderConstants seenFromInside(const ShaderConstants& constants);
+
+/// Whether all lobes of a material's reflection, and of its coat's, are at least as wide as those of the chain's first
+/// level, wherever maps and bumps widen them.
+///
+/// blur   of the light that it reads
+bool hasWideLobes(const Material& material, const ShaderConstants& constants, const formula::Blur& blur);
 
 /// Whether a material has a clear coat of roughness 0, also where a pixel averages bumps of the coat away.
 bool hasSmoothCoat(const Material& material);

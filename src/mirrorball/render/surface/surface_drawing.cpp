@@ -94,8 +94,12 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   const auto variant = [&](const Material& seen) {
     SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
                                          settings.lights.size() + scene.lights.size(), coordinates_);
-    if (const int light = lightRead(made, instance); light > 0 && !seen.unlit)
-      readProbe(made, lights_[std::size_t(light)]);
+    if (seen.unlit) return made;
+    const int light = lightRead(made, instance);
+    if (light > 0) readProbe(made, lights_[std::size_t(light)]);
+    const bool reads_lobes = !made.has(Part::look_up, LookUpPart::sphere_map) &&
+                             !made.has(Part::look_up, LookUpPart::stretched) && made.has(Part::proxy, ProxyPart::none);
+    made.constants.has_wide_lobes = reads_lobes && hasWideLobes(seen, made.constants, lights_[std::size_t(light)].blur);
     return made;
   };
   if (!eyeIsInside() || !isBody(from_outside)) return variant(from_outside);
@@ -110,7 +114,7 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
 bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
   return version == frame.version && coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
          has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
-         captured == frame.captured && settings == frame.settings;
+         captured == frame.captured && last_levels == frame.last_levels && settings == frame.settings;
 }
 
 SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
@@ -154,7 +158,10 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
                 .eye_is_inside = eyeIsInside(),
                 .has_scene_triangles = uniforms_.scene.triangles != nullptr,
                 .light_of_instance = light_of_instance_};
-  for (const SurfaceLight& light : lights_) list.captured.push_back(light.nearness != nullptr);
+  for (const SurfaceLight& light : lights_) {
+    list.captured.push_back(light.nearness != nullptr);
+    list.last_levels.push_back(light.blur.last_level);
+  }
   std::erase_if(draw_lists_, [&](const DrawList& other) { return other.version != version; });
   const auto known =
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });

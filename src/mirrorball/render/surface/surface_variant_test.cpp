@@ -117,6 +117,26 @@ TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
     EXPECT_THAT(shaders->fragment.text, Not(HasSubstr(uniform)));
 }
 
+// From the first level of a chain on, whose lobes are of roughness .0635 where there are eight more.
+TEST(SurfaceVariant, WideLobesReadNoEnvironmentBesideItsChain) {
+  const formula::Blur chain{.kind = 0, .first_level = 1.0f, .last_level = 8.0f, .texels_per_radian = 80.0f};
+  const ShaderConstants one{.lobe_taps = 1}, four{.lobe_taps = 4};
+  Material material;
+  material.perceptual_roughness = 0.1f;
+  EXPECT_TRUE(hasWideLobes(material, one, chain));
+  EXPECT_FALSE(hasWideLobes(material, four, chain)) << "the narrowest of a row has a third of the roughness";
+  material.perceptual_roughness = 0.5f;
+  EXPECT_TRUE(hasWideLobes(material, four, chain));
+  EXPECT_FALSE(hasWideLobes(material, four, formula::Blur{0, 0.0f, 1.0f, 4.0f})) << "of a small probe";
+  EXPECT_FALSE(hasWideLobes(material, {.blur_kind = 1}, chain)) << "mip levels";
+  material.clearcoat = 1.0f;
+  EXPECT_FALSE(hasWideLobes(material, four, chain)) << "a smooth coat";
+  material.clearcoat_roughness = 0.6f;
+  EXPECT_TRUE(hasWideLobes(material, four, chain));
+  material.roughness_map.texture = 0;
+  EXPECT_FALSE(hasWideLobes(material, four, chain)) << "a map may be dark";
+}
+
 TEST(SurfaceVariant, MapsWithTheSameUnitReadOneSampler) {
   SurfaceVariant variant;
   variant.maps[0] = {.unit = 0};

@@ -103,7 +103,8 @@ Result<LightSampler> LightSampler::make(const Environment& environment, const Pr
 /// The step of a table's sums in which u falls; u becomes the place within it, from 0 to below 1.
 int LightSampler::stepOf(std::size_t table, float& u) const {
   const float* const sums = sums_.data() + table * std::size_t(size_);
-  const std::uint16_t* const guide = guides_.data() + table * (kGuides + 1) + std::size_t(u * float(kGuides));
+  const std::size_t part = std::min(std::size_t(u * float(kGuides)), kGuides - 1);  // also where rounding made u 1
+  const std::uint16_t* const guide = guides_.data() + table * (kGuides + 1) + part;
   const float* const found = std::upper_bound(sums + guide[0], sums + guide[1], u);
   const float begin = found > sums ? found[-1] : 0.0f;
   u = std::clamp((u - begin) / std::max(*found - begin, 1e-20f), 0.0f, 0x1.fffffep-1f);

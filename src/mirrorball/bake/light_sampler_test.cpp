@@ -47,6 +47,17 @@ TEST(LightSampler, FindsASmallSun) {
   EXPECT_LT(error, 0.01 * (sphere + sun)) << "a choice without the light would be 300 times as noisy";
 }
 
+TEST(LightSampler, TakesWhatRoundingMadeOne) {
+  for (const int size : {1, 2, 64}) {
+    const LightSampler sampler = *LightSampler::make(Environment(testing::smoothRadiance, 64), {}, size);
+    for (const glm::vec2 u : {glm::vec2(1.0f), glm::vec2(1.0f, 0.3f), glm::vec2(0.0f, 1.0f), glm::vec2(0.0f)}) {
+      const LightSample sample = sampler.sample(u);
+      EXPECT_NEAR(glm::length(sample.direction), 1.0f, 1e-5f);
+      EXPECT_GT(sample.pdf, 0.0f);
+    }
+  }
+}
+
 // The density of a direction is that with which it was chosen.
 TEST(LightSampler, DensitiesAgree) {
   for (const Environment& environment :

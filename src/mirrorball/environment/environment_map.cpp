@@ -77,7 +77,8 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   return interpolated(direction, interpolation).radiance;
 }
 
-/// Bilinear, where all four texels are the image's own.
+/// Bilinear, where all four texels are the image's own. What a half of a sphere does not show lies at its edge, and so
+/// never there.
 std::optional<glm::vec3> EnvironmentMap::insideImage(int face_index, glm::vec2 position) const {
   const glm::vec2 last = glm::vec2(extent_.x, rows_.end) - 0.5f;
   const bool is_inside = position.x >= 0.5f && position.x < last.x &&

@@ -28,18 +28,27 @@ glm::dvec3 varianceOfMean(const PixelSums& sums) {
 }
 
 /// A standard error as it is displayed, the mean of its channels: that of the radiance, on the slope of the tone curve.
-float displayedError(glm::vec3 mean, glm::vec3 variance, const Display& display) {
-  const glm::vec3 error = glm::sqrt(variance);
-  const glm::vec3 change = displayed(mean + error, display) - displayed(mean - error, display);
-  return (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
+/// Where it is beyond what the curve can tell, that of white beside black.
+float displayedError(glm::dvec3 mean, glm::dvec3 variance, const Display& display) {
+  const glm::dvec3 error = glm::sqrt(variance);
+  const glm::vec3 change = displayed(glm::vec3(mean + error), display) - displayed(glm::vec3(mean - error), display);
+  const float shown = (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
+  return std::isfinite(shown) ? shown : 1.0f;
 }
 
 }  // namespace
 
-Film::Film(glm::ivec2 size, int halves)
-    : size_(size), halves_(std::size_t(halves), std::vector<PixelSums>(std::size_t(size.x) * std::size_t(size.y))) {}
+int PathCounts::at(std::size_t pixel) const {
+  if (shares.empty()) return least;
+  return static_cast<int>(std::clamp(shares[pixel] * scale, float(least), float(most)));
+}
 
-void Film::addPass(const FilmPass& pass, int half) {
+Film::Film(glm::ivec2 size, int halves)
+    : size_(size),
+      halves_(std::size_t(halves), std::vector<PixelSums>(std::size_t(size.x) * std::size_t(size.y))),
+      shows_(halves_.front().size()) {}
+
+void Film::addPass(const FilmPass& pass, int half, const PathCounts& counts) {
   std::vector<PixelSums>& sums = halves_[std::size_t(half)];
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const PixelSums& added = pass.sums()[i];
@@ -47,7 +56,8 @@ void Film::addPass(const FilmPass& pass, int half) {
     sums[i].squares += added.squares;
     sums[i].albedo += added.albedo;
     sums[i].normal += added.normal;
-    sums[i].paths += added.paths;
+    sums[i].paths = std::max(sums[i].paths, counts.at(i));
+    if (added.paths > 0) shows_[i] = true;
     sums[i].lost += added.lost;
   }
 }
@@ -76,9 +86,9 @@ auto Film::meanOfHalves(std::size_t pixel, const Value& value) const {
   return sum;
 }
 
-glm::vec3 Film::varianceAt(std::size_t pixel) const {
+glm::dvec3 Film::varianceAt(std::size_t pixel) const {
   const bool has_two = halves_.size() == 2 && halves_.back()[pixel].paths > 0;
-  return glm::vec3(meanOfHalves(pixel, varianceOfMean) / (has_two ? 2.0 : 1.0));
+  return meanOfHalves(pixel, varianceOfMean) / (has_two ? 2.0 : 1.0);
 }
 
 float Film::noise(const Display& display) const {
@@ -86,10 +96,9 @@ float Film::noise(const Display& display) const {
   parallelFor(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
       for (std::size_t i = y * std::size_t(size_.x); i < (y + 1) * std::size_t(size_.x); ++i)
-        rows[y] += double(displayedError(glm::vec3(meanOfHalves(i, meanOf)), varianceAt(i), display));
+        rows[y] += double(displayedError(glm::dvec3(meanOfHalves(i, meanOf)), varianceAt(i), display));
   });
-  const auto shown = std::count_if(halves_.front().begin(), halves_.front().end(),
-                                   [](const PixelSums& sums) { return sums.paths > 0; });
+  const auto shown = std::count(shows_.begin(), shows_.end(), true);
   return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) /
                             double(std::max<std::ptrdiff_t>(shown, 1)));
 }
@@ -99,7 +108,7 @@ std::vector<float> Film::errorsOf(int half, const Display& display) const {
   std::vector<float> errors(sums.size());
   parallelFor(errors.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      errors[i] = displayedError(glm::vec3(meanOf(sums[i])), glm::vec3(varianceOfMean(sums[i])), display);
+      errors[i] = displayedError(glm::dvec3(meanOf(sums[i])), varianceOfMean(sums[i]), display);
   });
   return errors;
 }
@@ -121,7 +130,7 @@ Image Film::normal() const {
 }
 
 Image Film::variance() const {
-  return imageOf<3>([this](std::size_t i) { return varianceAt(i); });
+  return imageOf<3>([this](std::size_t i) { return glm::vec3(varianceAt(i)); });
 }
 
 template <int Channels, typename Value>

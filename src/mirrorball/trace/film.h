@@ -17,8 +17,19 @@ struct PixelSums {
   glm::dvec3 squares{0.0};
   glm::vec3 albedo{0.0f};
   glm::vec3 normal{0.0f};
-  int paths = 0;  ///< none where the picture shows nothing
-  int lost = 0;   ///< of these, those whose light was no number; they count as black
+  int paths = 0;
+  int lost = 0;  ///< of these, those whose light was no number; they count as black
+};
+
+/// How many paths each pixel of a half of a film has after a pass.
+struct PathCounts {
+  int least = 1;
+  int most = 1;
+  /// Of each pixel, of which there are `scale` times as many between those two; empty: all have the least.
+  std::vector<float> shares = {};
+  float scale = 0.0f;
+
+  int at(std::size_t pixel) const;
 };
 
 /// A pass over a picture: for each pixel what it adds.
@@ -45,7 +56,9 @@ class Film {
   glm::ivec2 size() const { return size_; }
   int halves() const { return static_cast<int>(halves_.size()); }
   /// Takes a pass over a half that is whole.
-  void addPass(const FilmPass& pass, int half);
+  ///
+  /// counts   how many paths each pixel has now; those where the picture shows nothing count, and found nothing
+  void addPass(const FilmPass& pass, int half, const PathCounts& counts);
 
   int pathsOf(std::size_t pixel, int half) const { return halves_[std::size_t(half)][pixel].paths; }
   /// Of all pixels, and of both halves.
@@ -72,10 +85,11 @@ class Film {
   Image imageOf(const Value& value) const;
   template <typename Value>
   auto meanOfHalves(std::size_t pixel, const Value& value) const;
-  glm::vec3 varianceAt(std::size_t pixel) const;
+  glm::dvec3 varianceAt(std::size_t pixel) const;
 
   glm::ivec2 size_;
   std::vector<std::vector<PixelSums>> halves_;
+  std::vector<bool> shows_;  // of each pixel, whether there is something to be seen, as not beside a disc
 };
 
 }  // namespace mirrorball

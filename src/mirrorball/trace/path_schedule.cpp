@@ -11,7 +11,8 @@
 namespace mirrorball {
 namespace {
 
-/// The most paths that an even pass adds: what an interruption, or a limit of the time, may cost.
+/// The most paths of a pixel that a pass adds, in the mean of all: what an interruption, or a limit of the time, may
+/// cost.
 constexpr int kLargestPass = 128;
 
 /// Of each half, everywhere.
@@ -63,11 +64,6 @@ std::uint64_t pathsOf(const std::array<PathCounts, 2>& counts) {
 
 }  // namespace
 
-int PathCounts::at(std::size_t pixel) const {
-  if (shares.empty()) return least;
-  return static_cast<int>(std::clamp(shares[pixel] * scale, float(least), float(most)));
-}
-
 bool traceEvenly(const Film& film, const TraceSettings& settings, const DrawPass& draw, const GoesOn& goesOn) {
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t pixels = std::uint64_t(film.size().x) * std::uint64_t(film.size().y);
@@ -90,7 +86,7 @@ bool traceToNoise(const Film& film, const TraceSettings& settings, const DrawPas
   const std::uint64_t pixels = std::uint64_t(film.size().x) * std::uint64_t(film.size().y);
   for (int count = 1; count <= kFirstPaths; count *= 2) {
     for (const int half : {0, 1})
-      if (!draw(half, {.least = count}, pixels * kMinPathsForNoise)) return false;
+      if (!draw(half, {.least = count}, pixels * kMinPathsForNoise)) return false;  // at least so many
     if (!goesOn()) return true;
   }
   const int most = settings.samples / 2;
@@ -105,10 +101,11 @@ bool traceToNoise(const Film& film, const TraceSettings& settings, const DrawPas
     constexpr float kLeastGrowth = 1.1f, kMostGrowth = 4.0f;
     const float wanted = noise / settings.noise * (noise / settings.noise);
     const float before = scale;
-    scale *= std::clamp(wanted, kLeastGrowth, kMostGrowth);
+    scale = std::min(scale * std::clamp(wanted, kLeastGrowth, kMostGrowth), scale + float(kLargestPass / 2));
     for (PathCounts& half : counts) half.scale = scale;
     const double later = std::max(double(wanted * before / scale), 1.0);  // times as many in the end
-    const auto expected = static_cast<std::uint64_t>(double(pathsOf(counts)) * later);
+    const auto expected =
+        static_cast<std::uint64_t>(std::min(double(pathsOf(counts)) * later, 2.0 * double(pixels) * double(most)));
     for (const int half : {0, 1})
       if (!draw(half, counts[std::size_t(half)], expected)) return false;
     if (!goesOn()) return true;

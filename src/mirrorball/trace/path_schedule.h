@@ -1,25 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "mirrorball/trace/film.h"
 #include "mirrorball/trace/trace_settings.h"
 
 namespace mirrorball {
-
-/// How many paths each pixel of a half of a film has after a pass.
-struct PathCounts {
-  int least = 1;
-  int most = 1;
-  /// Of each pixel, of which there are `scale` times as many between those two; empty: all have the least.
-  std::vector<float> shares = {};
-  float scale = 0.0f;
-
-  int at(std::size_t pixel) const;
-};
 
 /// Draws a pass over one half of the film, up to those counts, and adds it.
 ///
@@ -41,8 +28,9 @@ constexpr int kMinPathsForNoise = 16;
 /// returns   whether all of them were whole
 bool traceEvenly(const Film& film, const TraceSettings& settings, const DrawPass& draw, const GoesOn& goesOn);
 
-/// Paths where the noise is, until its mean over the picture is that of the settings: the mean of all pixels' standard
-/// errors is least, for a number of paths, where each pixel has as many as its paths' deviation to the power of 2/3.
+/// Paths where the noise is, in passes of at most 128 a pixel in the mean, until its mean over the picture is that of
+/// the settings: the mean of all pixels' standard errors is least, for a number of paths, where each pixel has as many
+/// as its paths' deviation to the power of 2/3.
 ///
 /// Without bias: a pixel with few paths by chance is not left so because it looks good. The two halves have a few paths
 /// everywhere first; then each pixel of a half has as many as these first paths of the *other* half say, of which its

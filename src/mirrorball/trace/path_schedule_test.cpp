@@ -1,6 +1,7 @@
 #include "mirrorball/trace/path_schedule.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -24,10 +25,10 @@ TEST(Film, IsTheMeanOfItsHalves) {
   Film film({1, 1}, 2);
   FilmPass pass({1, 1});
   pass.at(0) = {.light = glm::dvec4(1.0), .squares = glm::dvec3(1.0), .paths = 1};
-  film.addPass(pass, 0);
+  film.addPass(pass, 0, {.least = 1});
   EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.0f) << "of the only half that has paths";
   pass.at(0) = {.light = glm::dvec4(6.0), .squares = glm::dvec3(20.0), .paths = 3};
-  film.addPass(pass, 1);
+  film.addPass(pass, 1, {.least = 3});
   EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.5f);
   EXPECT_EQ(film.paths(), 4u);
   // Of the second half (20/3 − 4) / 2; of the mean a quarter of that and of the first's, which one path does not tell.
@@ -75,6 +76,31 @@ TEST(PathSchedule, KeepsTheMeanOfRareLight) {
   EXPECT_LT(aimed->samples, 1000);
   const double truth = testing::meansOf(even->radiance).y;
   EXPECT_NEAR(testing::meansOf(aimed->radiance).y, truth, 0.01 * truth);
+}
+
+// Light near the largest number has no error that a display could show.
+TEST(PathSchedule, EndsUnderASunWithoutBounds) {
+  const glm::vec3 sun = glm::normalize(glm::vec3(0.3f, 1.0f, 0.5f));
+  const Environment light([=](glm::vec3 d) { return glm::vec3(glm::dot(d, sun) > 0.999f ? 1e30f : 0.1f); }, 64);
+  Scene scene = testing::shapeOf("sphere", testing::matt(0.5f));
+  const BoundingSphere bounds = boundingSphere(scene);
+  const auto tracer = PathTracer::make(std::move(scene), light);
+  ASSERT_TRUE(tracer);
+  const auto picture = tracer->render(makeCamera({}, bounds, 1.0f), {.size = {8, 8}, .samples = 64, .noise = 0.01f});
+  ASSERT_TRUE(picture);
+  EXPECT_GE(picture->samples, 16);
+  EXPECT_TRUE(std::isfinite(picture->noise));
+}
+
+// Beside a disc there is nothing, whose paths count as those of others.
+TEST(PathSchedule, CapturesDiscsToANoise) {
+  const auto tracer = PathTracer::make(testing::shapeOf("sphere", testing::matt(0.5f)), *builtinEnvironment("studio"));
+  ASSERT_TRUE(tracer);
+  const auto map = tracer->capture({.position = {0.0f, 0.0f, 3.0f}, .projection = Projection::angular, .size = 12},
+                                   {.samples = 64, .noise = 0.001f});
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->state.samples, 64);
+  EXPECT_EQ(map->map.face(0).texel(0, 0)[3], 0.0f);
 }
 
 TEST(PathSchedule, EndsWhereEachPixelHasAllThatItMayHave) {

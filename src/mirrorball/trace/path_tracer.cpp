@@ -141,7 +141,8 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   const std::uint64_t pixels = std::uint64_t(settings.size.x) * std::uint64_t(settings.size.y);
   const bool is_to_noise = settings.noise > 0.0f && settings.samples >= kMinPathsForNoise;
   const int halves = is_to_noise ? 2 : 1;
-  const std::uint64_t channels = settings.wants_layers ? 13 : 4;
+  // Of layers; of errors and shares of paths.
+  const std::uint64_t channels = (settings.wants_layers ? 13 : 4) + (is_to_noise ? 5 : 0);
   MIRRORBALL_TRY_VOID(withName(
       "the picture", checkMemory(pixels * (std::uint64_t(halves + 1) * sizeof(PixelSums) + channels * sizeof(float)))));
   MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
@@ -153,7 +154,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   const auto draw = [&](int half, const PathCounts& counts, std::uint64_t expected) {
     if (!drawPass(rays, surroundings, emitters, settings, {film, half, counts, expected}, pass, observer.progress))
       return false;
-    film.addPass(pass, half);
+    film.addPass(pass, half, counts);
     has_whole_pass = true;
     return true;
   };

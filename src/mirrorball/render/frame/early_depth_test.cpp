@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 kCubesSize(60, 40);
 
-/// Cubes that cut each other, share a plane and let others show through holes.
+/// Cubes that cut each other and share a plane.
 Scene crossingCubes() {
   Scene scene = *loadModel("cube");
   const Instance cube = scene.instances.front();

@@ -34,9 +34,9 @@ TEST_P(WideLobesTest, LookTheSameAsThoseOfAMap) {
       Scene scene = *loadModel("teapot");
       for (Material& material : scene.materials) {
         material.metallic = 1.0f;
-        material.perceptual_roughness = 0.6f;
+        material.perceptual_roughness = 0.9f;
         material.clearcoat = clearcoat;
-        material.clearcoat_roughness = 0.5f;
+        material.clearcoat_roughness = 0.9f;
       }
       const auto pictureOf = [&](Scene drawn) {
         Renderer renderer = *testing::rendererOf(std::move(drawn), light, prepared);

@@ -14,7 +14,7 @@ class DepthPass {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<DepthPass> make(gl::Api api);
 
-  /// Another program's depths may round otherwise, so that an instance is drawn where it is and a little more.
+  /// To be drawn farther away, so that what has the same place is in front of it, or nearer.
   enum class Offset { farther, nearer };
 
   /// Depths are tested by GL_LEQUAL; culling is as it was.

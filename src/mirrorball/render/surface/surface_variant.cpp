@@ -338,7 +338,7 @@ bool readsStrata(const Material& material, const FrameSettings& settings, const 
 }
 
 bool readsLobeRow(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
-  const bool has_rough_coat = material.clearcoat > 0.0f && material.clearcoat_roughness > 0.0f;
+  const bool has_rough_coat = material.clearcoat > 0.0f && !hasSmoothCoat(material);
   const bool is_rough = material.perceptual_roughness > 0.0f || has_rough_coat;
   return is_rough && lobesOf(settings) > 1 && !stretchesLobes(material, settings, coordinates) &&
          reflectsAtFragment(settings, coordinates);

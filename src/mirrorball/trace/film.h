@@ -54,7 +54,6 @@ class Film {
   Film(glm::ivec2 size, int halves);
 
   glm::ivec2 size() const { return size_; }
-  int halves() const { return static_cast<int>(halves_.size()); }
   /// Takes a pass over a half that is whole.
   ///
   /// counts   how many paths each pixel has now; those where the picture shows nothing count, and found nothing

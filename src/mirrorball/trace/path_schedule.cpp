@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "mirrorball/base/parallel.h"
-
 namespace mirrorball {
 namespace {
 
@@ -24,17 +22,17 @@ constexpr int kReach = 2;
 /// No pixel's deviation counts as less than this share of the mean: a caustic may have been missed by all first paths.
 constexpr float kLeastDeviation = 0.1f;
 
-/// The root of the mean square of a line of values and of those around each.
-void smoothLine(const float* squares, std::size_t step, int count, float* smooth) {
+/// The means of a line of values and of those around each, which lie `step` apart.
+void smoothLine(const float* values, std::size_t step, int count, float* smooth) {
   for (int i = 0; i < count; ++i) {
     const int begin = std::max(i - kReach, 0), end = std::min(i + kReach, count - 1);
     float sum = 0.0f;
-    for (int j = begin; j <= end; ++j) sum += squares[std::size_t(j) * step];
+    for (int j = begin; j <= end; ++j) sum += values[std::size_t(j) * step];
     smooth[std::size_t(i) * step] = sum / float(end - begin + 1);
   }
 }
 
-/// The shares of paths for one half: of a mean of 1, by what the other half says.
+/// The shares of paths for one half, whose mean is 1, by the errors that the other half has.
 std::vector<float> sharesFrom(const std::vector<float>& errors, glm::ivec2 size) {
   std::vector<float> squares(errors.size()), rows(errors.size());
   std::transform(errors.begin(), errors.end(), squares.begin(), [](float error) { return error * error; });

@@ -11,6 +11,17 @@
 namespace mirrorball {
 namespace {
 
+/// A tracer of a scene, and a camera that sees all of it.
+struct Shot {
+  PathTracer tracer;
+  Camera camera;
+};
+
+Shot shotOf(Scene scene, Environment light, float aspect = 1.0f) {
+  const Camera camera = makeCamera({}, boundingSphere(scene), aspect);
+  return {*PathTracer::make(std::move(scene), std::move(light)), camera};
+}
+
 TEST(PathCounts, GrowWithSharesBetweenLeastAndMost) {
   const PathCounts even{.least = 5};
   EXPECT_EQ(even.at(3), 5);
@@ -37,41 +48,33 @@ TEST(Film, IsTheMeanOfItsHalves) {
 
 // Glass, gold and a mirror, before a background without noise.
 TEST(PathSchedule, DrawsPathsWhereTheNoiseIsWithoutBias) {
-  Scene scene = *loadModel("showcase");
-  const BoundingSphere bounds = boundingSphere(scene);
-  const auto tracer = PathTracer::make(std::move(scene), *builtinEnvironment("studio"));
-  ASSERT_TRUE(tracer);
-  const Camera camera = makeCamera({}, bounds, 1.5f);
+  const auto [tracer, camera] = shotOf(*loadModel("showcase"), *builtinEnvironment("studio"), 1.5f);
   TraceSettings settings{.size = {48, 32}, .samples = 256};
-  const auto even = tracer->render(camera, settings);
+  const auto even = tracer.render(camera, settings);
   ASSERT_TRUE(even);
   settings.noise = even->noise;
   settings.samples = 1 << 16;
-  const auto aimed = tracer->render(camera, settings);
+  const auto aimed = tracer.render(camera, settings);
   ASSERT_TRUE(aimed);
   EXPECT_LE(aimed->noise, even->noise);
   EXPECT_LT(aimed->samples, 256 * 3 / 4);
   const glm::dvec3 a = testing::meansOf(even->radiance), b = testing::meansOf(aimed->radiance);
   EXPECT_NEAR(a.y, b.y, 0.004 * a.y);
-  const auto again = tracer->render(camera, settings);
+  const auto again = tracer.render(camera, settings);
   ASSERT_TRUE(again);
   EXPECT_TRUE(std::ranges::equal(again->radiance.samples(), aimed->radiance.samples()));
 }
 
 // Pixels whose first paths are all of one dark kind get no fewer paths for it: by their own first paths they would, and
-// would stay too dark. Light falls through few, small holes, as a lamp seen by one path in ten.
+// would stay too dark. The surface's own choice meets this lamp with one path in forty.
 TEST(PathSchedule, KeepsTheMeanOfRareLight) {
   const glm::vec3 lamp = glm::normalize(glm::vec3(0.3f, 1.0f, 0.5f));
   const Environment light([=](glm::vec3 d) { return glm::vec3(glm::dot(d, lamp) > 0.95f ? 10.0f : 0.05f); }, 64);
-  Scene scene = testing::shapeOf("sphere", testing::matt(0.8f));
-  const BoundingSphere bounds = boundingSphere(scene);
-  const auto tracer = PathTracer::make(std::move(scene), light);
-  ASSERT_TRUE(tracer);
-  const Camera camera = makeCamera({}, bounds, 1.0f);
+  const auto [tracer, camera] = shotOf(testing::shapeOf("sphere", testing::matt(0.8f)), light);
   TraceSettings settings{.size = {32, 32}, .samples = 4096, .strategy = LightStrategy::surface};
-  const auto even = tracer->render(camera, settings);
+  const auto even = tracer.render(camera, settings);
   settings.noise = 0.03f;
-  const auto aimed = tracer->render(camera, settings);
+  const auto aimed = tracer.render(camera, settings);
   ASSERT_TRUE(even && aimed);
   EXPECT_LT(aimed->samples, 1000);
   const double truth = testing::meansOf(even->radiance).y;
@@ -82,11 +85,8 @@ TEST(PathSchedule, KeepsTheMeanOfRareLight) {
 TEST(PathSchedule, EndsUnderASunWithoutBounds) {
   const glm::vec3 sun = glm::normalize(glm::vec3(0.3f, 1.0f, 0.5f));
   const Environment light([=](glm::vec3 d) { return glm::vec3(glm::dot(d, sun) > 0.999f ? 1e30f : 0.1f); }, 64);
-  Scene scene = testing::shapeOf("sphere", testing::matt(0.5f));
-  const BoundingSphere bounds = boundingSphere(scene);
-  const auto tracer = PathTracer::make(std::move(scene), light);
-  ASSERT_TRUE(tracer);
-  const auto picture = tracer->render(makeCamera({}, bounds, 1.0f), {.size = {8, 8}, .samples = 64, .noise = 0.01f});
+  const auto [tracer, camera] = shotOf(testing::shapeOf("sphere", testing::matt(0.5f)), light);
+  const auto picture = tracer.render(camera, {.size = {8, 8}, .samples = 64, .noise = 0.01f});
   ASSERT_TRUE(picture);
   EXPECT_GE(picture->samples, 16);
   EXPECT_TRUE(std::isfinite(picture->noise));
@@ -94,21 +94,17 @@ TEST(PathSchedule, EndsUnderASunWithoutBounds) {
 
 // Beside a disc there is nothing, whose paths count as those of others.
 TEST(PathSchedule, CapturesDiscsToANoise) {
-  const auto tracer = PathTracer::make(testing::shapeOf("sphere", testing::matt(0.5f)), *builtinEnvironment("studio"));
-  ASSERT_TRUE(tracer);
-  const auto map = tracer->capture({.position = {0.0f, 0.0f, 3.0f}, .projection = Projection::angular, .size = 12},
-                                   {.samples = 64, .noise = 0.001f});
+  const auto [tracer, camera] = shotOf(testing::shapeOf("sphere", testing::matt(0.5f)), *builtinEnvironment("studio"));
+  const auto map = tracer.capture({.position = {0.0f, 0.0f, 3.0f}, .projection = Projection::angular, .size = 12},
+                                  {.samples = 64, .noise = 0.001f});
   ASSERT_TRUE(map);
   EXPECT_EQ(map->state.samples, 64);
   EXPECT_EQ(map->map.face(0).texel(0, 0)[3], 0.0f);
 }
 
 TEST(PathSchedule, EndsWhereEachPixelHasAllThatItMayHave) {
-  const Scene scene = testing::shapeOf("sphere", testing::matt(0.8f));
-  const BoundingSphere bounds = boundingSphere(scene);
-  const auto tracer = PathTracer::make(scene, *builtinEnvironment("studio"));
-  ASSERT_TRUE(tracer);
-  const auto picture = tracer->render(makeCamera({}, bounds, 1.0f), {.size = {8, 8}, .samples = 32, .noise = 1e-5f});
+  const auto [tracer, camera] = shotOf(testing::shapeOf("sphere", testing::matt(0.8f)), *builtinEnvironment("studio"));
+  const auto picture = tracer.render(camera, {.size = {8, 8}, .samples = 32, .noise = 1e-5f});
   ASSERT_TRUE(picture);
   EXPECT_EQ(picture->samples, 32);
 }

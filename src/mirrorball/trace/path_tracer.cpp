@@ -150,12 +150,10 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   const Emitters emitters(scene, world_from_normal, settings.environment_intensity * lights.meanLuminance(), settings);
   Film film(settings.size, halves);
   FilmPass pass(settings.size);
-  bool has_whole_pass = false;
   const auto draw = [&](int half, const PathCounts& counts, std::uint64_t expected) {
     if (!drawPass(rays, surroundings, emitters, settings, {film, half, counts, expected}, pass, observer.progress))
       return false;
     film.addPass(pass, half, counts);
-    has_whole_pass = true;
     return true;
   };
   const auto samplesOf = [&] { return static_cast<int>((film.paths() + pixels / 2) / pixels); };
@@ -169,8 +167,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   picture.samples = samplesOf();
   picture.noise = film.noise(settings.display);
   picture.lost_paths = film.lost();
-  if (picture.is_interrupted && !has_whole_pass)
-    return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
+  if (film.paths() == 0) return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
   return film;
 }
 

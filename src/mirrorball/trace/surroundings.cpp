@@ -64,12 +64,6 @@ LightSample Surroundings::sample(glm::vec3 origin, glm::vec2 u) const {
   return light;
 }
 
-float Surroundings::pdf(glm::vec3 origin, glm::vec3 direction) const {
-  if (proxy_.kind == ProxyKind::none) return pdfFarAway(direction);
-  const formula::ProxyHit here = hitOf(proxy_, origin, direction);
-  return pdfOf(here, formula::sightOfProxy(here, proxy_.captured_at, direction));
-}
-
 float Surroundings::pdfOf(const formula::ProxyHit& here, const formula::ProxySight& sight) const {
   if (proxy_.kind == ProxyKind::mesh && !isSame(here, hitOf(proxy_, proxy_.captured_at, sight.direction))) return 0.0f;
   return pdfFarAway(sight.direction) * sight.enlargement;

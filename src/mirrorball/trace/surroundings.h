@@ -35,10 +35,9 @@ class Surroundings {
   ///          the capture is never chosen
   LightSample sample(glm::vec3 origin, glm::vec2 u) const;
 
-  /// The density with which `sample` returns directions around that one [1/sr].
-  float pdf(glm::vec3 origin, glm::vec3 direction) const;
-
-  /// Both, in little more time than one of them.
+  /// The light along a ray, and how likely `sample` was to choose it.
+  ///
+  /// direction  world, unit
   SeenLight seen(glm::vec3 origin, glm::vec3 direction) const;
 
   /// Where on its line a ray of the eye begins: there, or nearest to the capture if that is outside of the proxy.

@@ -43,21 +43,21 @@ class SurroundingsTest : public ::testing::Test {
   LightSampler lights_ = *LightSampler::make(environment_);
 };
 
-// The integral of the density over all directions is 1, and a sample's density is what pdf says of its direction.
+// The integral of the density over all directions is 1, and a sample's density is what is seen of its direction.
 TEST_F(SurroundingsTest, DensitiesAreThoseOfTheSamples) {
   const glm::vec3 origin(0.3f, -0.2f, 0.4f);
   for (const std::string& proxy : kEveryProxy) {
-    const Surroundings seen = surroundings(proxy);
+    const Surroundings around = surroundings(proxy);
     double integral = 0.0;
     constexpr int kCount = 40000;
     for (int i = 0; i < kCount; ++i) {
       SampleSequence numbers(7, static_cast<std::uint32_t>(i));
       const glm::vec2 u = numbers.next();
       const float y = 1.0f - 2.0f * u.x, radius = std::sqrt(1.0f - y * y), angle = 2.0f * kPi * u.y;
-      integral += double(seen.pdf(origin, {radius * std::cos(angle), y, radius * std::sin(angle)}));
+      integral += double(around.seen(origin, {radius * std::cos(angle), y, radius * std::sin(angle)}).pdf);
       if (i >= 200) continue;
-      const LightSample sample = seen.sample(origin, numbers.next());
-      EXPECT_NEAR(seen.pdf(origin, sample.direction), sample.pdf, 2e-2f * sample.pdf) << proxy;
+      const LightSample sample = around.sample(origin, numbers.next());
+      EXPECT_NEAR(around.seen(origin, sample.direction).pdf, sample.pdf, 2e-2f * sample.pdf) << proxy;
     }
     EXPECT_NEAR(integral * 4.0 * std::numbers::pi / kCount, 1.0, 0.04) << proxy;
   }

@@ -37,7 +37,7 @@ ShaderConstants shaderConstants(const Material& material, const FrameSettings& s
 ShaderConstants seenFromInside(const ShaderConstants& constants);
 
 /// Whether all lobes of a material's reflection, and of its coat's, are at least as wide as those of the chain's first
-/// level, wherever maps and bumps widen them.
+/// level. Of maps of roughness, which may be dark, it is not known; bumps make lobes only wider.
 ///
 /// blur   of the light that it reads
 bool hasWideLobes(const Material& material, const ShaderConstants& constants, const formula::Blur& blur);

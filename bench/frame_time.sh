@@ -73,7 +73,7 @@ runTask() {
   samples=1
   [ "${1##*.}" = one ] || samples=$((1 + $(samplesOf "$technique")))
   # shellcheck disable=SC2046 # a command line of words without spaces
-  command time -q -f '%U %S' -o spent "$program" render $(argumentsOf "$technique") -e "$environment" --size "$size" \
+  command time -q -f '%U %S' -o spent "$program" render $(argumentsOf "$technique") --quality draft -e "$environment" --size "$size" \
     --samples "$samples" --resolve radiance -o frame.exr
 }
 # shellcheck disable=SC2086 # tasks are words

@@ -12,7 +12,7 @@
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/surface/background.h"
 #include "mirrorball/render/surface/nearness_picture.h"
-#include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "parity/evaluation.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -85,6 +86,37 @@ TEST_P(SamplingTest, TakesAllSamplesOfRadianceAndOfFew) {
   for (const int samples : {1, 2, 3})
     EXPECT_EQ(bytesOf(pictureOf(renderer, smallFrame(samples), Sampling::adaptive)),
               bytesOf(pictureOf(renderer, smallFrame(samples), Sampling::all)));
+}
+
+/// What samples that are left out add to the change from one frame to the next, as a picture: 128 where they add nothing.
+Image8 addedChange(const std::array<Image8, 2>& some, const std::array<Image8, 2>& all) {
+  Image8 added = all[0];
+  for (std::size_t i = 0; i < added.samples().size(); ++i) {
+    const auto change = [&](const std::array<Image8, 2>& of) {
+      return int(of[1].samples()[i]) - int(of[0].samples()[i]);
+    };
+    added.samples()[i] = static_cast<std::uint8_t>(std::clamp(128 + change(some) - change(all), 0, 255));
+  }
+  return added;
+}
+
+// A pixel that takes all samples in one frame and few in the next would flicker where nothing of the scene does.
+TEST_P(SamplingTest, DoesNotShimmerWhileTheCameraMoves) {
+  const Environment light(sunny, 128);
+  for (const char* model : {"teapot", "showcase"}) {
+    Renderer renderer = rendererOf(model, light);
+    std::array<Image8, 2> some, all;
+    for (int frame = 0; frame < 6; ++frame) {
+      FrameSettings settings = smallFrame(4);
+      settings.camera.azimuth_deg += 0.5f * static_cast<float>(frame);
+      some = {std::move(some[1]), pictureOf(renderer, settings, Sampling::adaptive)};
+      all = {std::move(all[1]), pictureOf(renderer, settings, Sampling::all)};
+      if (frame == 0) continue;
+      const Image8 added = addedChange(some, all);
+      const Image8 still(added.width(), added.height(), 4, 128);
+      EXPECT_GT(psnrOf(added, still), kLeast_dB) << model << " from frame " << frame - 1 << " to the next";
+    }
+  }
 }
 
 // Pixels that have finished count for as much as the others, whenever the picture is looked at.

@@ -6,7 +6,7 @@
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
-#include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {

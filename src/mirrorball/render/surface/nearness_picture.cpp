@@ -4,7 +4,7 @@
 
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
-#include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {

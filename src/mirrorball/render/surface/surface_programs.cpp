@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/render/surface/brdf_texture.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {

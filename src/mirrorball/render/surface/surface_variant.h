@@ -9,8 +9,6 @@
 #include <tuple>
 #include <vector>
 
-#include "mirrorball/base/result.h"
-#include "mirrorball/gl/shader_source.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/render/surface/shader_constants.h"
@@ -50,11 +48,6 @@ enum class Part {
 };
 constexpr std::size_t kParts = 18;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
-
-/// A shader of shaders/ that asks for the part "proxy" alone.
-///
-/// errors   not_found: a part's file (a mistake in the table of parts)
-Result<gl::ShaderSource> withProxy(gl::Api api, std::string_view entry, ProxyKind kind);
 
 // The answers, in the order of the table.
 enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone, exact };
@@ -133,14 +126,5 @@ bool readsStrata(const Material& material, const FrameSettings& settings, const 
 
 /// Whether it comes from a row of lobes in the plane of incidence, likewise.
 bool readsLobeRow(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
-
-/// The two shaders of a variant.
-struct SurfaceShaders {
-  gl::ShaderSource vertex;
-  gl::ShaderSource fragment;
-};
-
-/// errors   not_found: a part's file (a mistake in the table)
-Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant);
 
 }  // namespace mirrorball

@@ -10,6 +10,7 @@
 
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/scene/material/material.h"
 
 namespace mirrorball {

@@ -75,7 +75,7 @@ tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, st
   std::string message = std::string(text.name) + " takes " + std::string(wants);
   if (!text.unit.empty()) message += (text.max_count > 1 ? ", in " : " in ") + std::string(text.unit);
   if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
-  return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
+  return fail(ErrorCode::usage, message + "; it was given '" + excerpt(given) + "'");
 }
 
 Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {

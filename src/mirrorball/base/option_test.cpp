@@ -115,5 +115,13 @@ TEST(Option, WrongChoiceListsTheRightOnes) {
   EXPECT_THAT(result.error().message, HasSubstr("wide, tele"));
 }
 
+// What is given may come from a file.
+TEST(Option, ARefusalShowsWhatWasGivenAsALine) {
+  const auto refused = parseNumbers({.name = "fov"}, "4\n0\x1b[31m" + std::string(5000, 'x'));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message.find_first_of("\n\x1b"), std::string::npos) << refused.error().message;
+  EXPECT_LT(refused.error().message.size(), 300u);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -88,7 +88,7 @@ TEST_P(SamplingTest, TakesAllSamplesOfRadianceAndOfFew) {
               bytesOf(pictureOf(renderer, smallFrame(samples), Sampling::all)));
 }
 
-/// What samples that are left out add to the change from one frame to the next, as a picture: 128 where they add nothing.
+/// What samples that are left out add to the change from one frame to the next, as a picture: 128 where there is none.
 Image8 addedChange(const std::array<Image8, 2>& some, const std::array<Image8, 2>& all) {
   Image8 added = all[0];
   for (std::size_t i = 0; i < added.samples().size(); ++i) {

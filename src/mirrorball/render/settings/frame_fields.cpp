@@ -83,7 +83,7 @@ Result<void> parseBackground(const OptionText& text, std::string_view written, F
   }
   const auto meant = nearestWord(written, kBackgroundNames);
   return fail(ErrorCode::usage, name + " takes " + join(kBackgroundNames) + ", #rrggbb or R,G,B (" +
-                                    rangeText(kRadiance) + "); it was given '" + std::string(written) + "'" +
+                                    rangeText(kRadiance) + "); it was given '" + excerpt(written) + "'" +
                                     (meant ? "; did you mean '" + std::string(*meant) + "'?" : ""));
 }
 

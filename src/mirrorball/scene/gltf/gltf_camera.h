@@ -4,9 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/json_reader.h"
 #include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/gltf/glb_builder.h"
-#include "mirrorball/scene/gltf/json_reader.h"
 
 namespace mirrorball::gltf {
 

@@ -6,13 +6,13 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "mirrorball/base/json_reader.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_camera.h"
 #include "mirrorball/scene/gltf/gltf_document_animation.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_extensions.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
-#include "mirrorball/scene/gltf/json_reader.h"
 
 // Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
 

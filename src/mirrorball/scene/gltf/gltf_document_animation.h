@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mirrorball/base/json_reader.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
-#include "mirrorball/scene/gltf/json_reader.h"
 
 namespace mirrorball::gltf {
 

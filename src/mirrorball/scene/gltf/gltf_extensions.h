@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mirrorball/base/json_reader.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/scene/gltf/json_reader.h"
 
 namespace mirrorball::gltf {
 

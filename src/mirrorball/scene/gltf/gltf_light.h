@@ -4,8 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/json_reader.h"
 #include "mirrorball/scene/gltf/glb_builder.h"
-#include "mirrorball/scene/gltf/json_reader.h"
 #include "mirrorball/scene/model_light.h"
 
 namespace mirrorball::gltf {

@@ -17,7 +17,7 @@ constexpr float kHeightsOfDome = 10.0f;
 constexpr float kRadiiOfHeight = 2.0f;
 
 tl::unexpected<Error> misusedProxy(std::string_view option, std::string_view written, std::string_view wants) {
-  return fail(ErrorCode::usage, std::string(option) + " " + std::string(written) + ": " + std::string(wants));
+  return fail(ErrorCode::usage, std::string(option) + " " + excerpt(written) + ": " + std::string(wants));
 }
 
 /// Between so many numbers.

@@ -31,6 +31,7 @@ class JsonReader {
       : value_(value), key_(std::move(key)), problem_(&problem) {}
 
   bool exists() const { return value_ != nullptr; }
+  bool isArray() const { return value_ != nullptr && value_->is_array(); }
   const std::string& key() const { return key_; }
 
   /// The member of an object; absent where the object is.

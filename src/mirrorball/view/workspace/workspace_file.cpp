@@ -1,0 +1,163 @@
+#include "mirrorball/view/workspace/workspace_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/json_reader.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// By CompareBy.
+constexpr std::array<std::string_view, 5> kCompareBy{"none", "slider", "flip", "difference", "flip-error"};
+
+// More than a person makes; a file may say anything.
+constexpr std::size_t kMostTexts = 10000;
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+
+Json jsonOf(const GivenTexts& given) {
+  Json json = Json::object();
+  for (const auto& [name, texts] : given) {
+    if (texts.size() == 1)
+      json[name] = texts.front();
+    else
+      json[name] = texts;
+  }
+  return json;
+}
+
+Json jsonOf(const Side& side) {
+  Json json = Json::object();
+  if (!side.frame.empty()) json["frame"] = jsonOf(side.frame);
+  if (side.map) json["map"] = *side.map;
+  if (side.is_traced) json["traced"] = true;
+  return json;
+}
+
+GivenTexts textsOf(const JsonReader& json) {
+  GivenTexts given;
+  for (const auto& [name, value] : json.members()) {
+    std::vector<std::string>& texts = given[name];
+    if (value.isArray())
+      for (const JsonReader& text : value.elements()) texts.push_back(text.text(""));
+    else
+      texts.push_back(value.text(""));
+    if (texts.size() > kMostTexts) value.refuse("has more texts than can be");
+  }
+  return given;
+}
+
+Side sideOf(const JsonReader& json) {
+  Side side{.frame = textsOf(json["frame"]), .is_traced = json["traced"].flag(false)};
+  if (json["map"].exists()) side.map = json["map"].size(0);
+  return side;
+}
+
+/// errors   bad_file
+Result<Workspace> fromJson(const nlohmann::json& document) {
+  JsonProblem problem;
+  const JsonReader json(&document, "", problem);
+  if (!json["mirrorball_workspace"].exists())
+    return fail(ErrorCode::bad_file, "is no workspace: it has no key mirrorball_workspace");
+  Workspace workspace;
+  workspace.model = json["model"].text(workspace.model);
+  if (json["maps"].exists()) {
+    workspace.maps.clear();
+    for (const JsonReader& map : json["maps"].elements()) workspace.maps.push_back(map.text(""));
+    if (workspace.maps.empty() || workspace.maps.size() > kMostTexts) json["maps"].refuse("has none, or too many");
+  }
+  workspace.shown_map = json["shown_map"].size(0);
+  workspace.frame = textsOf(json["frame"]);
+  workspace.materials = textsOf(json["materials"]);
+  for (const auto& [index, parameters] : json["parameters"].members()) {
+    const auto number = parseNumber(index);
+    if (!number || *number < 0 || *number != std::floor(*number) || *number > 1e9)
+      parameters.refuse("is no material's number");
+    else
+      workspace.parameters[static_cast<std::size_t>(*number)] = textsOf(parameters);
+  }
+  const std::vector<JsonReader> sides = json["sides"].elements();
+  for (std::size_t i = 0; i < std::min(sides.size(), workspace.sides.size()); ++i)
+    workspace.sides[i] = sideOf(sides[i]);
+  const std::string compare_by = json["compare_by"].text("none");
+  const auto found = std::find(kCompareBy.begin(), kCompareBy.end(), compare_by);
+  if (found == kCompareBy.end())
+    json["compare_by"].refuse("is none of " + join(kCompareBy));
+  else
+    workspace.compare_by = static_cast<CompareBy>(found - kCompareBy.begin());
+  workspace.divider = std::clamp(static_cast<float>(json["divider"].number(0.5)), 0.0f, 1.0f);
+  workspace.edited_side = json["edited_side"].size(0);
+  if (json["selected_material"].exists()) workspace.selected_material = json["selected_material"].size(0);
+  if (problem.any()) return fail(ErrorCode::bad_file, problem.message);
+  return workspace;
+}
+
+/// errors   bad_file: it points beyond what there is; usage
+Result<void> checkWorkspace(const Workspace& workspace) {
+  const auto is_map = [&](std::size_t map) { return map < workspace.maps.size(); };
+  if (!is_map(workspace.shown_map)) return fail(ErrorCode::bad_file, "shown_map is none of its maps");
+  if (workspace.edited_side >= workspace.sides.size())
+    return fail(ErrorCode::bad_file, "edited_side is neither 0 nor 1");
+  for (std::size_t side = 0; side < workspace.sides.size(); ++side) {
+    const Side& each = workspace.sides[side];
+    if (each.map && !is_map(*each.map))
+      return fail(ErrorCode::bad_file, "sides[" + std::to_string(side) + "].map is none of its maps");
+    for (const auto& [name, texts] : each.frame)
+      if (isShared(name)) return fail(ErrorCode::bad_file, "sides: " + excerpt(name) + " is of both");
+    MIRRORBALL_TRY_VOID(frameOf(workspace, side));
+  }
+  MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
+  Material tried;
+  for (const auto& [material, given] : workspace.parameters) MIRRORBALL_TRY_VOID(setParameters(given, tried));
+  return {};
+}
+
+}  // namespace
+
+std::string writtenWorkspace(const Workspace& workspace) {
+  Json json{{"mirrorball_workspace", 1},
+            {"model", workspace.model},
+            {"maps", workspace.maps},
+            {"shown_map", workspace.shown_map}};
+  if (!workspace.frame.empty()) json["frame"] = jsonOf(workspace.frame);
+  if (!workspace.materials.empty()) json["materials"] = jsonOf(workspace.materials);
+  for (const auto& [material, given] : workspace.parameters)
+    json["parameters"][std::to_string(material)] = jsonOf(given);
+  if (workspace.sides != std::array<Side, 2>())
+    json["sides"] = {jsonOf(workspace.sides[0]), jsonOf(workspace.sides[1])};
+  json["compare_by"] = kCompareBy[static_cast<std::size_t>(workspace.compare_by)];
+  json["divider"] = workspace.divider;
+  json["edited_side"] = workspace.edited_side;
+  if (workspace.selected_material) json["selected_material"] = *workspace.selected_material;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Workspace> readWorkspace(std::string_view json) {
+  const auto document = nlohmann::json::parse(json.begin(), json.end(), nullptr, /*allow_exceptions=*/false);
+  if (document.is_discarded()) return fail(ErrorCode::bad_file, "is no JSON");
+  MIRRORBALL_TRY(workspace, fromJson(document));
+  MIRRORBALL_TRY_VOID(checkWorkspace(workspace));
+  return workspace;
+}
+
+Result<void> saveWorkspace(const std::string& path, const Workspace& workspace) {
+  const std::string text = writtenWorkspace(workspace);
+  return writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+Result<Workspace> loadWorkspace(const std::string& path) {
+  MIRRORBALL_TRY(bytes, readFile(path));
+  if (bytes.size() > kLargestFile) return fail(ErrorCode::too_large, path + ": is too large for a workspace");
+  return withName(path, readWorkspace({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+}
+
+}  // namespace mirrorball

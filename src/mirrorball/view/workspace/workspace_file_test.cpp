@@ -1,0 +1,79 @@
+#include "mirrorball/view/workspace/workspace_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+Workspace something() {
+  Workspace workspace{.model = "h\"elm\n.glb", .maps = {"a.hdr", "β.exr"}, .shown_map = 1};
+  workspace.frame = {{"fov", {"40.5"}}, {"light", {"1,2,3,4,5,6", "0,0,1,1,1,1"}}};
+  workspace.materials = {{"set", {"metallic=1", "perceptual_roughness=0.25"}}};
+  workspace.parameters[3] = {{"metallic", {"0.5"}}};
+  workspace.sides[1] = {.frame = {{"blur", {"mip"}}}, .map = 0, .is_traced = true};
+  workspace.compare_by = CompareBy::flip_error;
+  workspace.divider = 0.1f;
+  workspace.selected_material = 3;
+  return workspace;
+}
+
+TEST(WorkspaceFile, ReadsWhatItHasWritten) {
+  EXPECT_EQ(*readWorkspace(writtenWorkspace(something())), something());
+  EXPECT_EQ(*readWorkspace(writtenWorkspace({})), Workspace());
+  const std::string path = ::testing::TempDir() + "workspace.json";
+  ASSERT_TRUE(saveWorkspace(path, something()));
+  EXPECT_EQ(*loadWorkspace(path), something());
+}
+
+TEST(WorkspaceFile, WhatIsNotNamedIsAsInANewOne) {
+  EXPECT_EQ(*readWorkspace(R"({"mirrorball_workspace": 1, "comes_later": {"x": 1}})"), Workspace());
+}
+
+TEST(WorkspaceFile, RefusesOthersInOneLine) {
+  for (const char* json : {
+           "",
+           "{",
+           "[]",
+           "{}",
+           R"({"model": "sphere"})",
+           R"({"mirrorball_workspace": 1, "model": 5})",
+           R"({"mirrorball_workspace": 1, "maps": []})",
+           R"({"mirrorball_workspace": 1, "maps": "a"})",
+           R"({"mirrorball_workspace": 1, "shown_map": 1})",
+           R"({"mirrorball_workspace": 1, "shown_map": -1})",
+           R"({"mirrorball_workspace": 1, "frame": {"no-such": "1"}})",
+           R"({"mirrorball_workspace": 1, "frame": {"samples": "many"}})",
+           R"({"mirrorball_workspace": 1, "frame": {"samples": 4}})",
+           R"({"mirrorball_workspace": 1, "frame": 4})",
+           R"({"mirrorball_workspace": 1, "parameters": {"x": {}}})",
+           R"({"mirrorball_workspace": 1, "parameters": {"0": {"metallic": "9"}}})",
+           R"({"mirrorball_workspace": 1, "sides": [{"map": 4}]})",
+           R"({"mirrorball_workspace": 1, "sides": [{"frame": {"fov": "40"}}]})",
+           R"({"mirrorball_workspace": 1, "compare_by": "sword"})",
+           R"({"mirrorball_workspace": 1, "edited_side": 2})",
+       }) {
+    const auto read = readWorkspace(json);
+    ASSERT_FALSE(read) << json;
+    EXPECT_THAT(read.error().message, Not(HasSubstr("\n"))) << json;
+    EXPECT_FALSE(read.error().message.empty()) << json;
+  }
+}
+
+TEST(WorkspaceFile, EveryCutAndEveryChangedByteIsReadOrRefused) {
+  const std::string whole = writtenWorkspace(something());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    (void)readWorkspace(whole.substr(0, i));
+    std::string damaged = whole;
+    for (const char byte : {'\0', '"', '9', '\xff'}) {
+      damaged[i] = byte;
+      const auto read = readWorkspace(damaged);
+      EXPECT_TRUE(!read || readWorkspace(writtenWorkspace(*read))) << damaged;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

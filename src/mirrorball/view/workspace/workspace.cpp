@@ -153,18 +153,37 @@ Workspace withMap(Workspace workspace, std::string name) {
   return workspace;
 }
 
+namespace {
+
+/// Gives an option the text that it has in some settings; what is so without it is no text.
+///
+/// beneath   what there is without it
+void giveAs(const FrameSettings& settings, std::string_view name, const FrameSettings& beneath, GivenTexts& given) {
+  const Option<FrameSettings>* option = optionNamed(frameOptions(), name);
+  std::string text = option ? written(*option, settings) : std::string();
+  if (!option || text == written(*option, beneath))
+    erase(given, name);
+  else
+    given[std::string(name)] = {std::move(text)};
+}
+
+}  // namespace
+
 Workspace withCamera(Workspace workspace, const CameraOptions& camera) {
   FrameSettings settings;
   settings.camera = camera;
-  for (const std::string_view name : {"camera", "target", "fov", "orthographic"}) {
-    const Option<FrameSettings>* option = optionNamed(frameOptions(), name);
-    std::string text = option ? written(*option, settings) : std::string();
-    const bool is_default = !option || text == written(*option, FrameSettings());
-    if (const auto found = workspace.frame.find(name); is_default && found != workspace.frame.end())
-      workspace.frame.erase(found);
-    else if (!is_default)
-      workspace.frame[std::string(name)] = {std::move(text)};
-  }
+  for (const std::string_view name : {"camera", "target", "fov", "orthographic"})
+    giveAs(settings, name, FrameSettings(), workspace.frame);
+  return workspace;
+}
+
+Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {
+  FrameSettings settings;
+  settings.env_rotation_deg = env_rotation_deg;
+  constexpr std::string_view kName = "env-rotation";
+  GivenTexts& given = editedFrame(workspace, kName);
+  const auto of_both = frameOf(workspace.frame);
+  giveAs(settings, kName, &given == &workspace.frame || !of_both ? FrameSettings() : *of_both, given);
   return workspace;
 }
 

@@ -107,4 +107,7 @@ Workspace withMap(Workspace workspace, std::string name);
 /// Moves the camera of both halves.
 Workspace withCamera(Workspace workspace, const CameraOptions& camera);
 
+/// Turns the light of the half that is edited: FrameSettings::env_rotation_deg.
+Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg);
+
 }  // namespace mirrorball

@@ -1,0 +1,79 @@
+#include "mirrorball/view/control/commands.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "mirrorball/view/control/camera_control.h"
+#include "mirrorball/view/panel/panel.h"
+
+namespace mirrorball {
+namespace {
+
+/// Where the camera is by the options alone.
+CameraOptions cameraOf(const History& history) {
+  const auto settings = frameOf(history.now(), history.now().edited_side);
+  return settings ? settings->camera : CameraOptions();
+}
+
+template <AxisView view>
+void lookAlong(History& history) {
+  history.change("Look along an axis", withCamera(history.now(), alongAxis(cameraOf(history), view)));
+}
+
+template <int by>
+void stepMap(History& history) {
+  history.change("Another panorama", withMapStepped(history.now(), by));
+}
+
+template <CompareBy by>
+void compare(History& history) {
+  Workspace next = history.now();
+  next.compare_by = next.compare_by == by ? CompareBy::none : by;
+  history.change("Compare", std::move(next));
+}
+
+constexpr auto kCommands = std::to_array<ViewerCommand>({
+    {"undo", "Undo", "Edit", "Ctrl+Z", "", [](History& history) { (void)history.undo(); }},
+    {"redo", "Do again", "Edit", "Ctrl+Shift+Z", "Ctrl+Y", [](History& history) { (void)history.redo(); }},
+    {"reset-all", "Reset all options", "Edit", "Ctrl+Shift+R", "",
+     [](History& history) { history.change("Reset all options", withoutGroup(history.now())); }},
+    {"frame-all", "Show all", "Camera", "F", "Home",
+     [](History& history) { history.change("Show all", withCamera(history.now(), framingAll(cameraOf(history)))); }},
+    {"view-front", "From the front", "Camera", "1", "", lookAlong<AxisView::front>},
+    {"view-back", "From behind", "Camera", "Ctrl+1", "", lookAlong<AxisView::back>},
+    {"view-right", "From the right", "Camera", "3", "", lookAlong<AxisView::right>},
+    {"view-left", "From the left", "Camera", "Ctrl+3", "", lookAlong<AxisView::left>},
+    {"view-top", "From above", "Camera", "7", "", lookAlong<AxisView::top>},
+    {"view-bottom", "From below", "Camera", "Ctrl+7", "", lookAlong<AxisView::bottom>},
+    {"next-map", "Next panorama", "Light", "]", "", stepMap<1>},
+    {"previous-map", "Panorama before", "Light", "[", "", stepMap<-1>},
+    {"compare-slider", "Compare side by side", "Compare", "C", "", compare<CompareBy::slider>},
+    {"compare-flip", "Compare by flipping", "Compare", "Shift+C", "", compare<CompareBy::flip>},
+    {"compare-difference", "Show the difference", "Compare", "Ctrl+D", "", compare<CompareBy::difference>},
+    {"edit-other", "Edit the other half", "Compare", "Tab", "",
+     [](History& history) {
+       Workspace next = history.now();
+       next.edited_side = 1 - next.edited_side;
+       history.change("Edit the other half", std::move(next));
+     }},
+    {"trace", "Trace paths: the truth", "Compare", "T", "",
+     [](History& history) {
+       Workspace next = history.now();
+       Side& side = next.sides[next.edited_side];
+       side.is_traced = !side.is_traced;
+       history.change("Trace paths", std::move(next));
+     }},
+});
+
+}  // namespace
+
+std::span<const ViewerCommand> viewerCommands() { return kCommands; }
+
+const ViewerCommand* commandOfKey(std::string_view chord) {
+  for (const ViewerCommand& command : kCommands)
+    if (!chord.empty() && (command.key == chord || command.other_key == chord)) return &command;
+  return nullptr;
+}
+
+}  // namespace mirrorball

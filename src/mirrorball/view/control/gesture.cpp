@@ -1,0 +1,107 @@
+#include "mirrorball/view/control/gesture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "mirrorball/view/control/camera_control.h"
+#include "mirrorball/view/control/light_control.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr float kNearerForNotch = 0.9f;  // of the distance
+constexpr float kFlown = 1.0f;           // model radii a second
+
+struct FlyingKey {
+  std::string_view key;
+  glm::vec3 by;  // to the right, up and ahead
+};
+constexpr std::array<FlyingKey, 6> kFlyingKeys{FlyingKey{"W", {0, 0, 1}},  FlyingKey{"S", {0, 0, -1}},
+                                               FlyingKey{"A", {-1, 0, 0}}, FlyingKey{"D", {1, 0, 0}},
+                                               FlyingKey{"E", {0, 1, 0}},  FlyingKey{"Q", {0, -1, 0}}};
+
+bool isFlyingKey(std::string_view key) {
+  return std::any_of(kFlyingKeys.begin(), kFlyingKeys.end(), [&](const FlyingKey& each) { return each.key == key; });
+}
+
+Change cameraChange(std::string name, const Workspace& now, const CameraOptions& camera) {
+  return {std::move(name), withCamera(now, camera), true};
+}
+
+}  // namespace
+
+std::string chordOf(const KeyPressed& pressed) {
+  return std::string(pressed.held.control ? "Ctrl+" : "") + (pressed.held.alt ? "Alt+" : "") +
+         (pressed.held.shift ? "Shift+" : "") + pressed.key;
+}
+
+Gesture::Kind Gesture::kindOf(const PointerPressed& pressed) {
+  switch (pressed.button) {
+    case PointerButton::middle:
+      return Kind::pan;
+    case PointerButton::right:
+      return pressed.held.shift ? Kind::turn_light : Kind::approach;
+    case PointerButton::left:
+      break;
+  }
+  if (pressed.held.shift) return Kind::pan;
+  return pressed.held.control ? Kind::look_around : Kind::orbit;
+}
+
+std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown) {
+  const glm::vec2 by_px = to_px - std::exchange(held_->place_px, to_px);
+  const CameraOptions& camera = shown.camera;
+  switch (held_->kind) {
+    case Kind::orbit:
+      return cameraChange("Turn", now, orbited(camera, by_px, shown.size_px));
+    case Kind::pan:
+      return cameraChange("Shift", now, panned(camera, shown.bounds, by_px, shown.size_px));
+    case Kind::look_around:
+      return cameraChange("Look around", now, lookedAround(camera, shown.bounds, by_px, shown.size_px));
+    case Kind::approach: {
+      // The picture's height is as much as 32 notches of the wheel.
+      const float notches = -32.0f * by_px.y / static_cast<float>(std::max(shown.size_px.y, 1));
+      const glm::vec2 middle = 0.5f * glm::vec2(shown.size_px);
+      return cameraChange("Zoom", now,
+                          zoomed(camera, shown.bounds, std::pow(kNearerForNotch, notches), middle, shown.size_px));
+    }
+    case Kind::turn_light:
+      break;
+  }
+  return Change{"Turn the light", withLightTurned(now, turnedLight(shown.env_rotation_deg, by_px, shown.size_px)),
+                true};
+}
+
+std::optional<Change> Gesture::handle(const Event& event, const Workspace& now, const ShownPicture& shown) {
+  if (const auto* pressed = std::get_if<PointerPressed>(&event)) {
+    if (!held_) held_ = Held{pressed->button, kindOf(*pressed), pressed->place_px};
+  } else if (const auto* moved = std::get_if<PointerMoved>(&event)) {
+    if (held_) return drag(moved->place_px, now, shown);
+  } else if (const auto* released = std::get_if<PointerReleased>(&event)) {
+    if (held_ && held_->button == released->button) held_.reset();
+  } else if (const auto* scrolled = std::get_if<Scrolled>(&event)) {
+    return cameraChange("Zoom", now,
+                        zoomed(shown.camera, shown.bounds, std::pow(kNearerForNotch, scrolled->notches),
+                               scrolled->place_px, shown.size_px));
+  } else if (const auto* key = std::get_if<KeyPressed>(&event)) {
+    if (isFlyingKey(key->key) && !key->held.control && !key->held.alt) flying_.insert(key->key);
+  } else if (const auto* up = std::get_if<KeyReleased>(&event)) {
+    flying_.erase(up->key);
+  } else if (std::holds_alternative<FocusLost>(event)) {
+    held_.reset();
+    flying_.clear();
+  }
+  return std::nullopt;
+}
+
+std::optional<Change> Gesture::advance(double seconds, const Workspace& now, const ShownPicture& shown) const {
+  glm::vec3 by(0.0f);
+  for (const FlyingKey& each : kFlyingKeys)
+    if (flying_.contains(each.key)) by += each.by;
+  if (by == glm::vec3(0.0f) || !(seconds > 0.0)) return std::nullopt;
+  return cameraChange("Fly", now, flown(shown.camera, shown.bounds, kFlown * static_cast<float>(seconds) * by));
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/scene/camera/camera.h"
+#include "mirrorball/scene/scene.h"
+#include "mirrorball/view/control/event.h"
+#include "mirrorball/view/workspace/workspace.h"
+
+namespace mirrorball {
+
+/// What a workspace is to become, as History::change takes it.
+struct Change {
+  std::string name;
+  Workspace next;
+  bool goes_on = false;
+};
+
+/// What hands must know of the picture that they move.
+struct ShownPicture {
+  CameraOptions camera = {};  ///< placedCamera()
+  BoundingSphere bounds = {};
+  glm::ivec2 size_px{1};
+  glm::vec3 env_rotation_deg{0.0f};
+};
+
+/// What pointer and keys do to a workspace while they are held:
+/// - the left button goes round the model; with Shift it shifts the picture, with Ctrl the camera looks around;
+/// - the middle button shifts the picture;
+/// - the right button comes nearer; with Shift it turns the light;
+/// - the wheel comes nearer to what is under the pointer;
+/// - W A S D fly ahead, to the left, back and to the right, E and Q up and down.
+class Gesture {
+ public:
+  /// returns  what the event changes; nothing: it changes nothing here
+  std::optional<Change> handle(const Event& event, const Workspace& now, const ShownPicture& shown);
+
+  /// What keys that are held change as time goes on.
+  std::optional<Change> advance(double seconds, const Workspace& now, const ShownPicture& shown) const;
+
+  /// Whether something is held that moves the picture.
+  bool isGoingOn() const { return held_.has_value() || !flying_.empty(); }
+
+ private:
+  enum class Kind { orbit, pan, look_around, approach, turn_light };
+  struct Held {
+    PointerButton button;
+    Kind kind;
+    glm::vec2 place_px;
+  };
+  static Kind kindOf(const PointerPressed& pressed);
+  std::optional<Change> drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown);
+
+  std::optional<Held> held_;
+  std::set<std::string, std::less<>> flying_;  ///< keys
+};
+
+}  // namespace mirrorball

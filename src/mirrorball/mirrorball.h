@@ -59,6 +59,7 @@
 #include "mirrorball/view/control/light_control.h"
 #include "mirrorball/view/panel/panel.h"
 #include "mirrorball/view/viewer/time_budget.h"
+#include "mirrorball/view/viewer/viewer.h"
 #include "mirrorball/view/workspace/history.h"
 #include "mirrorball/view/workspace/workspace.h"
 #include "mirrorball/view/workspace/workspace_file.h"

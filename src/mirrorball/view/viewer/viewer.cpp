@@ -1,0 +1,322 @@
+#include "mirrorball/view/viewer/viewer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/frame/view.h"
+#include "mirrorball/render/stage/device_state.h"
+#include "mirrorball/render/surface/map_levels.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/view/control/camera_control.h"
+#include "mirrorball/view/control/commands.h"
+#include "mirrorball/view/control/gesture.h"
+#include "mirrorball/view/viewer/background_task.h"
+#include "mirrorball/view/viewer/time_budget.h"
+
+namespace mirrorball {
+namespace {
+
+// After so long without a move the whole picture is drawn.
+constexpr double kRest_s = 0.15;
+
+}  // namespace
+
+// What is loaded, and who shows it.
+struct ViewedModel {
+  Scene scene;
+  LevelsOfMaps levels;
+};
+
+struct ViewedLight {
+  Environment environment;
+  PreparedEnvironment prepared;
+};
+
+struct Viewer::State {
+  /// Something with a name that is loaded beside the viewer when another name is asked for.
+  template <typename Value>
+  struct Loading {
+    BackgroundTask<Value> task;
+    std::string asked_for = {};  ///< last
+    bool is_there = false;       ///< something of the kind
+  };
+
+  State(const Device& device, Workspace start, glm::ivec2 size, ViewerOptions given)
+      : stage(device),
+        view(stage),
+        history(std::move(start)),
+        budget(given.frame_s),
+        size_px(size),
+        options(std::move(given)) {}
+
+  const Workspace& now() const { return history.now(); }
+  /// The first there is.
+  const std::string& problem() const {
+    for (const std::string* each : {&problems.model, &problems.light, &problems.materials})
+      if (!each->empty()) return *each;
+    return problems.frame;
+  }
+  ShownPicture shown() const;
+  void apply(std::optional<Change> change);
+  void load();
+  Result<void> takeModel();
+  Result<void> takeLight();
+  Result<void> changeScene();
+  bool moves() const { return gesture.isGoingOn() || since_moved_s < kRest_s; }
+  FrameSettings settings() const;
+  Result<bool> draw();
+  Result<void> keepPicture();
+  bool showsMaterials() const;
+  bool showsWhatIsAskedFor() const;
+  /// Tells what fails in a line of `problems`, which is empty where it does not; but a driver that is gone ends all.
+  Result<void> tell(Result<void> result, std::string& problem);
+
+  Stage stage;
+  View view;
+  History history;
+  Gesture gesture = {};
+  TimeBudget budget;
+  glm::ivec2 size_px;
+  ViewerOptions options;
+  Loading<ViewedModel> model = {};
+  Loading<ViewedLight> light = {};
+  Scene loaded = {};                        ///< as the file has it
+  Workspace changed_for = {};               ///< whose materials the stage shows
+  std::optional<FrameSettings> begun = {};  ///< of the frame that is drawn
+  int programs_left = 0;
+  double since_moved_s = kRest_s;
+  double sample_s = 0.0;
+  int samples_shown = 0;
+  struct {
+    std::string model, light, materials, frame;
+  } problems = {};
+  struct OnDevice {
+    Device device;  ///< outlives all else
+    std::optional<gl::Framebuffer> picture = {};
+  };
+  std::unique_ptr<OnDevice, EndOnDevice> on{new OnDevice{stage.device()}};
+};
+
+namespace {
+
+Result<ViewedModel> loadedModel(const std::string& name, bool inside_only, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(scene, loadModel(name, {.inside_only = inside_only}));
+  MIRRORBALL_TRY(levels, makeMapLevels(scene, progress));
+  return ViewedModel{std::move(scene), std::move(levels)};
+}
+
+Result<ViewedLight> loadedLight(const std::string& name, const std::optional<CacheFolder>& cache,
+                                const ProgressFunction& progress) {
+  MIRRORBALL_TRY(loaded, loadEnvironment(name, {}, progress));
+  if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
+  MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
+  return ViewedLight{std::move(loaded.environment), std::move(prepared)};
+}
+
+}  // namespace
+
+ShownPicture Viewer::State::shown() const {
+  const auto frame = frameOf(now(), 0);
+  const float aspect = static_cast<float>(size_px.x) / static_cast<float>(size_px.y);
+  if (!frame) return {.size_px = size_px};
+  return {.camera = placedCamera(stage.scene(), stage.bounds(), frame->camera, aspect),
+          .bounds = stage.bounds(),
+          .size_px = size_px,
+          .env_rotation_deg = frame->env_rotation_deg};
+}
+
+void Viewer::State::apply(std::optional<Change> change) {
+  if (!change) return;
+  if (change->goes_on) since_moved_s = 0.0;
+  history.change(std::move(change->name), std::move(change->next), change->goes_on);
+}
+
+Result<void> Viewer::State::tell(Result<void> result, std::string& problem) {
+  if (!result && result.error().code == ErrorCode::no_gl) return result;
+  problem = result ? std::string() : std::move(result).error().message;
+  return {};
+}
+
+void Viewer::State::load() {
+  if (const std::string& name = now().model; name != std::exchange(model.asked_for, name))
+    model.task.begin([name, inside_only = options.inside_only](const ProgressFunction& progress) {
+      return loadedModel(name, inside_only, progress);
+    });
+  if (const std::string& name = now().maps[now().shown_map]; name != std::exchange(light.asked_for, name))
+    light.task.begin(
+        [name, cache = options.cache](const ProgressFunction& progress) { return loadedLight(name, cache, progress); });
+}
+
+Result<void> Viewer::State::takeModel() {
+  auto ready = model.task.take();
+  if (!ready) return {};
+  if (!*ready) return tell(fail(std::move(*ready)), problems.model);
+  loaded = std::move((*ready)->scene);
+  changed_for = {};
+  budget.forget();
+  model.is_there = true;
+  return tell(stage.setScene(loaded, (*ready)->levels), problems.model);
+}
+
+Result<void> Viewer::State::takeLight() {
+  auto ready = light.task.take();
+  if (!ready) return {};
+  if (!*ready) return tell(fail(std::move(*ready)), problems.light);
+  light.is_there = true;
+  return tell(stage.setEnvironment(std::move((*ready)->environment), (*ready)->prepared), problems.light);
+}
+
+bool Viewer::State::showsMaterials() const {
+  return changed_for.materials == now().materials && changed_for.parameters == now().parameters;
+}
+
+bool Viewer::State::showsWhatIsAskedFor() const {
+  return model.asked_for == now().model && light.asked_for == now().maps[now().shown_map] && showsMaterials();
+}
+
+/// Gives the stage the materials that are asked for.
+Result<void> Viewer::State::changeScene() {
+  if (showsMaterials()) return {};
+  changed_for = now();
+  Scene changed = loaded;
+  const auto changes = changeMaterials(changed, now());
+  MIRRORBALL_TRY_VOID(tell(changes, problems.materials));
+  return changes ? tell(stage.setScene(std::move(changed)), problems.materials) : Result<void>();
+}
+
+FrameSettings Viewer::State::settings() const {
+  FrameSettings frame = frameOf(now(), 0).value_or(FrameSettings());
+  frame.size = moves() ? budget.sizeFor(size_px) : size_px;
+  if (moves()) frame.samples = 1;
+  standOnGround(frame);
+  return frame;
+}
+
+/// Keeps what the view has drawn, which another frame then does not take away.
+Result<void> Viewer::State::keepPicture() {
+  MIRRORBALL_TRY_VOID(gl::resize(on->picture, gl::Format::rgba8, begun->size));
+  on->picture->bind();
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  return view.show(static_cast<unsigned>(name));
+}
+
+Result<bool> Viewer::State::draw() {
+  if (const FrameSettings wanted = settings(); !begun || *begun != wanted) {
+    MIRRORBALL_TRY_VOID(view.begin(wanted));
+    begun = wanted;
+    programs_left = 1;
+  }
+  if (programs_left > 0) {
+    MIRRORBALL_TRY(left, view.makeProgram());
+    programs_left = left;
+    if (left > 0) return false;
+  }
+  if (view.isDone()) return false;
+  const auto start = std::chrono::steady_clock::now();
+  MIRRORBALL_TRY(drawn, view.drawSample());
+  glFinish();
+  sample_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  budget.drew(begun->size, sample_s);
+  samples_shown = drawn;
+  MIRRORBALL_TRY_VOID(keepPicture());
+  return true;
+}
+
+Viewer::Viewer(const Device& device, Workspace start, glm::ivec2 size_px, ViewerOptions options)
+    : state_(std::make_unique<State>(device, std::move(start), glm::max(size_px, glm::ivec2(1)), std::move(options))) {}
+Viewer::Viewer(Viewer&&) noexcept = default;
+Viewer& Viewer::operator=(Viewer&&) noexcept = default;
+Viewer::~Viewer() = default;
+
+void Viewer::handle(const Event& event) {
+  State& state = *state_;
+  if (const auto* resized = std::get_if<Resized>(&event)) {
+    state.size_px = glm::max(resized->size_px, glm::ivec2(1));
+    return;
+  }
+  if (const auto* pressed = std::get_if<KeyPressed>(&event))
+    if (const ViewerCommand* command = commandOfKey(chordOf(*pressed))) return command->perform(state.history);
+  state.apply(state.gesture.handle(event, state.now(), state.shown()));
+  if (std::holds_alternative<PointerReleased>(event)) state.history.endGesture();
+}
+
+Result<bool> Viewer::advance(double seconds) {
+  State& state = *state_;
+  state.since_moved_s += std::max(seconds, 0.0);
+  if (state.gesture.isGoingOn()) state.apply(state.gesture.advance(seconds, state.now(), state.shown()));
+  state.load();
+  MIRRORBALL_TRY_VOID(state.takeModel());
+  MIRRORBALL_TRY_VOID(state.takeLight());
+  if (!state.model.is_there || !state.light.is_there) return false;
+  MIRRORBALL_TRY_VOID(state.changeScene());
+  auto drawn = state.draw();
+  const bool is_other = drawn && *drawn;
+  MIRRORBALL_TRY_VOID(state.tell(drawn ? Result<void>() : fail(std::move(drawn)), state.problems.frame));
+  return is_other;
+}
+
+bool Viewer::isDone() const {
+  const State& state = *state_;
+  if (state.model.task.isRunning() || state.light.task.isRunning() || state.moves()) return false;
+  if (!state.showsWhatIsAskedFor()) return false;
+  const bool can_draw = state.model.is_there && state.light.is_there && state.problems.frame.empty();
+  if (!can_draw) return true;
+  return state.begun && *state.begun == state.settings() && state.programs_left == 0 && state.view.isDone();
+}
+
+const Workspace& Viewer::workspace() const { return state_->now(); }
+History& Viewer::history() { return state_->history; }
+
+ViewerStatus Viewer::status() const {
+  const State& state = *state_;
+  ViewerStatus status{.programs_left = state.programs_left,
+                      .samples = state.samples_shown,
+                      .wanted_samples = state.begun ? state.begun->samples : 0,
+                      .size_px = state.on->picture ? glm::ivec2(state.on->picture->width(), state.on->picture->height())
+                                                   : glm::ivec2(0),
+                      .sample_s = state.sample_s,
+                      .problem = state.problem()};
+  if (state.model.task.isRunning()) {
+    status.loading = state.model.asked_for;
+    status.loaded = state.model.task.share();
+  } else if (state.light.task.isRunning()) {
+    status.loading = state.light.asked_for;
+    status.loaded = state.light.task.share();
+  }
+  return status;
+}
+
+const Material* Viewer::selectedMaterial() const {
+  const auto selected = state_->now().selected_material;
+  return selected && *selected < state_->loaded.materials.size() ? &state_->loaded.materials[*selected] : nullptr;
+}
+
+bool Viewer::hasPicture() const { return state_->on->picture.has_value(); }
+
+Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 size_px) const {
+  if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
+  MIRRORBALL_TRY_VOID(state_->stage.device().state().context.enter());
+  const gl::Framebuffer& picture = *state_->on->picture;
+  picture.bind();
+  GLint name = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(name));
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT,
+                    GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  return {};
+}
+
+Result<Image8> Viewer::picture() const {
+  if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
+  MIRRORBALL_TRY_VOID(state_->stage.device().state().context.enter());
+  return state_->on->picture->readBytes();
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/cache_folder.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/stage/device.h"
+#include "mirrorball/render/stage/stage.h"
+#include "mirrorball/view/control/event.h"
+#include "mirrorball/view/workspace/history.h"
+
+namespace mirrorball {
+
+struct ViewerOptions {
+  double frame_s = 0.016;                 ///< that a picture may take while something moves [s]
+  std::optional<CacheFolder> cache = {};  ///< of prefiltered environments
+  bool inside_only = true;                ///< ModelLoadOptions::inside_only
+};
+
+/// What a line of status says.
+struct ViewerStatus {
+  std::string loading = {};  ///< what is loaded; empty: nothing
+  double loaded = 0.0;       ///< how much of it, 0 … 1
+  int programs_left = 0;     ///< that are still to be made before the next picture
+  int samples = 0;           ///< of each pixel of the picture that is shown
+  int wanted_samples = 0;
+  glm::ivec2 size_px{0};     ///< of that picture: smaller than the window's while something moves
+  double sample_s = 0.0;     ///< that its last sample took [s]
+  std::string problem = {};  ///< why what was asked for is not shown, one line; empty: it is
+};
+
+/// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it; until they
+/// are there, the picture before stays. While something moves pictures are as large as their time allows (TimeBudget),
+/// of one sample each; once it rests, all samples of the whole picture follow, one with each `advance`.
+class Viewer {
+ public:
+  /// size_px   of the picture
+  Viewer(const Device& device, Workspace start, glm::ivec2 size_px, ViewerOptions options = {});
+  Viewer(Viewer&&) noexcept;
+  Viewer& operator=(Viewer&&) noexcept;
+  ~Viewer();
+
+  /// Takes note of what a user does.
+  void handle(const Event& event);
+
+  /// Lets time go on, and does the next piece of work: takes what was loaded, makes a program, or draws a sample.
+  ///
+  /// seconds  since the call before
+  /// returns  whether there is another picture than before
+  /// errors   no_gl. All else that fails is told in the status, and the picture before stays
+  /// cost     that of the piece
+  Result<bool> advance(double seconds);
+
+  /// Whether nothing is left to do: nothing is loaded, and the picture has all its samples.
+  bool isDone() const;
+
+  const Workspace& workspace() const;
+  /// What was done; a change of it is seen with the next `advance`.
+  History& history();
+  ViewerStatus status() const;
+  /// The material that is selected, as it was loaded; null: none is.
+  const Material* selectedMaterial() const;
+
+  /// Whether there is a picture.
+  bool hasPicture() const;
+  /// Draws the last picture over a framebuffer, stretched to its size.
+  ///
+  /// framebuffer  OpenGL's name of it; 0 is a window's. It stays bound
+  /// errors       usage: there is no picture; no_gl
+  Result<void> show(unsigned framebuffer, glm::ivec2 size_px) const;
+  /// The last picture: 4 channels, sRGB-encoded, row 0 at the top.
+  ///
+  /// errors   usage: there is none; no_gl
+  Result<Image8> picture() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mirrorball

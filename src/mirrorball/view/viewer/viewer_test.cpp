@@ -1,0 +1,160 @@
+#include "mirrorball/view/viewer/viewer.h"
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr glm::ivec2 kSize{96, 64};
+
+class ViewerTest : public testing::HeadlessTest {
+ protected:
+  static Device device() { return *Device::on(*gl::Context::adoptCurrent()); }
+};
+
+/// A small panorama in a file, brighter towards one side.
+std::string mapNamed(const char* name, glm::vec3 color) {
+  Image image(32, 16, 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        image.texel(x, y)[channel] = color[channel] * (0.25f + static_cast<float>(x) / 16.0f);
+  const std::string path = ::testing::TempDir() + name;
+  EXPECT_TRUE(writeImage(path, image));
+  return path;
+}
+
+Workspace teapot() {
+  Workspace workspace;
+  workspace.model = "teapot";
+  workspace.maps = {mapNamed("viewer_blue.hdr", {0.2f, 0.4f, 0.9f}), mapNamed("viewer_red.hdr", {0.9f, 0.3f, 0.1f})};
+  workspace.frame = {{"samples", {"4"}}};
+  return workspace;
+}
+
+/// Lets time go on until nothing is left to do.
+void finish(Viewer& viewer) {
+  constexpr int kMost = 200'000;
+  for (int step = 0; step < kMost && !viewer.isDone(); ++step) {
+    const auto drawn = viewer.advance(0.01);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    if (!viewer.status().loading.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(viewer.isDone());
+}
+
+std::vector<std::uint8_t> bytesOf(const Image8& picture) {
+  return {picture.samples().begin(), picture.samples().end()};
+}
+
+std::vector<std::uint8_t> pictureOf(const Viewer& viewer) {
+  const auto picture = viewer.picture();
+  EXPECT_TRUE(picture);
+  return picture ? bytesOf(*picture) : std::vector<std::uint8_t>();
+}
+
+TEST_F(ViewerTest, ShowsWhatARendererDraws) {
+  Viewer viewer(device(), teapot(), kSize);
+  EXPECT_FALSE(viewer.hasPicture());
+  finish(viewer);
+  Renderer renderer = *Renderer::on(*gl::Context::adoptCurrent());
+  ASSERT_TRUE(renderer.setEnvironment(loadEnvironment(teapot().maps[0])->environment));
+  ASSERT_TRUE(renderer.setScene(*loadModel("teapot")));
+  FrameSettings settings = *frameOf(teapot(), 0);
+  settings.size = kSize;
+  EXPECT_EQ(pictureOf(viewer), bytesOf(*renderer.render(settings)));
+  EXPECT_EQ(viewer.status().samples, 4);
+  EXPECT_TRUE(viewer.status().problem.empty());
+}
+
+TEST_F(ViewerTest, AHandTurnsTheModelAndUndoTurnsItBack) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  viewer.handle(PointerPressed{PointerButton::left, {20, 20}});
+  for (int step = 1; step <= 5; ++step) {
+    viewer.handle(PointerMoved{{20.0f + 5.0f * float(step), 20}});
+    ASSERT_TRUE(viewer.advance(0.01));
+    EXPECT_EQ(viewer.status().samples, 1) << "while it moves";
+    EXPECT_FALSE(viewer.isDone());
+  }
+  viewer.handle(PointerReleased{PointerButton::left});
+  finish(viewer);
+  EXPECT_EQ(viewer.status().samples, 4);
+  EXPECT_NE(pictureOf(viewer), before);
+  EXPECT_EQ(viewer.history().undoName(), "Turn");
+  viewer.handle(KeyPressed{"Z", {.control = true}});
+  EXPECT_TRUE(viewer.history().undoName().empty()) << "one step";
+  finish(viewer);
+  EXPECT_EQ(pictureOf(viewer), before);
+}
+
+TEST_F(ViewerTest, ChangesOfMaterialsAndMapsAreSeen) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  viewer.history().change("Material", *withOption(viewer.workspace(), OptionTable::material, "material", "gold"));
+  finish(viewer);
+  const auto gold = pictureOf(viewer);
+  EXPECT_NE(gold, before);
+  viewer.handle(KeyPressed{"]"});
+  finish(viewer);
+  EXPECT_NE(pictureOf(viewer), gold);
+  viewer.history().undo();
+  viewer.history().undo();
+  finish(viewer);
+  EXPECT_EQ(pictureOf(viewer), before);
+}
+
+TEST_F(ViewerTest, WhatCannotBeLoadedIsToldAndThePictureStays) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  Workspace next = viewer.workspace();
+  next.model = "nowhere.glb";
+  viewer.history().change("Open", next);
+  finish(viewer);
+  EXPECT_THAT(viewer.status().problem, HasSubstr("nowhere.glb"));
+  EXPECT_EQ(pictureOf(viewer), before);
+  viewer.history().undo();
+  finish(viewer);
+  EXPECT_TRUE(viewer.status().problem.empty());
+  EXPECT_EQ(pictureOf(viewer), before);
+}
+
+TEST_F(ViewerTest, FollowsTheSizeOfItsWindow) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(33, 70), glm::ivec2(0, 0), kSize}) {
+    viewer.handle(Resized{size});
+    finish(viewer);
+    EXPECT_EQ(viewer.status().size_px, glm::max(size, glm::ivec2(1)));
+  }
+}
+
+TEST_F(ViewerTest, EndsWhileItLoads) {
+  for (int steps = 0; steps < 4; ++steps) {
+    Workspace big = teapot();
+    big.maps = {"sunset"};
+    Viewer viewer(device(), big, kSize);
+    for (int step = 0; step < steps; ++step) ASSERT_TRUE(viewer.advance(0.01));
+    viewer.handle(KeyPressed{"F"});
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

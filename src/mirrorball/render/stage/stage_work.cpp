@@ -1,6 +1,7 @@
 #include "mirrorball/render/stage/stage_work.h"
 
 #include <utility>
+#include <vector>
 
 #include "mirrorball/render/light/ground_shadow.h"
 #include "mirrorball/render/stage/stage_work_state.h"
@@ -24,6 +25,29 @@ constexpr std::size_t kAll = kOfForm + 5 * kOfRow;
 
 using State = StageWork::State;
 
+bool lacksForm(const State& state) { return !state.has_form && !isPrepared(*state.scene, state.preparation); }
+
+std::vector<int> lackingPrisms(const State& state) {
+  if (state.settings.relief != ReliefKind::exact) return {};
+  std::vector<int> meshes = meshesWithPrisms(*state.scene);
+  std::erase_if(meshes, [&](int mesh) { return state.known.prisms.contains(mesh); });
+  return meshes;
+}
+
+bool lacksBodies(const State& state) {
+  return !state.known.bodies && someRefract(*state.scene, RefractionKind::traced, state.settings.refraction);
+}
+
+bool lacksTriangles(const State& state) { return !state.known.triangles && state.settings.self_reflection; }
+bool lacksRays(const State& state) { return !state.known.rays && state.picks; }
+
+bool lacksCasters(const State& state) { return !state.known.casters && state.settings.proxy.kind == ProxyKind::ground; }
+
+/// The light of a ground's shadow.
+bool lacksSampler(const State& state) {
+  return state.environment != nullptr && state.settings.proxy.kind == ProxyKind::ground;
+}
+
 Result<void> makeForm(State& state) {
   if (state.has_form) return {};
   MIRRORBALL_TRY_VOID(prepareScene(*state.scene, state.preparation, state.means));
@@ -32,43 +56,46 @@ Result<void> makeForm(State& state) {
 }
 
 Result<void> makePrisms(State& state) {
-  if (state.settings.relief != ReliefKind::exact) return {};
-  for (const int mesh : meshesWithPrisms(*state.scene))
-    if (!state.known.prisms.contains(mesh)) state.made.prisms[mesh] = prismList(*state.scene, mesh);
+  for (const int mesh : lackingPrisms(state)) state.made.prisms[mesh] = prismList(*state.scene, mesh);
   return {};
 }
 
 Result<void> makeBodies(State& state) {
-  if (state.known.bodies || !someRefract(*state.scene, RefractionKind::traced, state.settings.refraction)) return {};
+  if (!lacksBodies(state)) return {};
   MIRRORBALL_TRY(tree, bodyTree(*state.scene));
   state.made.bodies = std::move(tree);
   return {};
 }
 
 Result<void> makeTriangles(State& state) {
-  if (state.known.triangles || !state.settings.self_reflection) return {};
+  if (!lacksTriangles(state)) return {};
   MIRRORBALL_TRY(tree, sceneTree(*state.scene));
   state.made.triangles = std::move(tree);
   return {};
 }
 
 Result<void> makeRays(State& state) {
-  if (state.known.rays || !state.picks) return {};
+  if (!lacksRays(state)) return {};
   MIRRORBALL_TRY(rays, SceneRays::make(state.scene));
   state.made.rays = std::move(rays);
   return {};
 }
 
 Result<void> makeGroundShadow(State& state) {
-  if (state.settings.proxy.kind != ProxyKind::ground) return {};
-  if (!state.known.casters) state.made.casters = shadowCasters(*state.scene);
-  if (!state.environment) return {};
+  if (lacksCasters(state)) state.made.casters = shadowCasters(*state.scene);
+  if (!lacksSampler(state)) return {};
   MIRRORBALL_TRY(sampler, makeGroundSampler(*state.environment));
   state.ground_sampler = std::move(sampler);
   return {};
 }
 
 }  // namespace
+
+bool StageWork::isNeeded() const {
+  const State& state = *state_;
+  return lacksForm(state) || !lackingPrisms(state).empty() || lacksBodies(state) || lacksTriangles(state) ||
+         lacksRays(state) || lacksCasters(state) || lacksSampler(state);
+}
 
 Result<void> StageWork::run(const ProgressFunction& progress) {
   State& state = *state_;

@@ -25,6 +25,9 @@ class StageWork {
   /// errors    interrupted; as those functions'
   Result<void> run(const ProgressFunction& progress = {});
 
+  /// Whether that is anything: else frames have all that they need, or make it in no time.
+  bool isNeeded() const;
+
   State& state() const { return *state_; }
 
  private:

@@ -56,7 +56,7 @@ struct Viewer::State {
   const Workspace& now() const { return history.now(); }
   /// The first there is.
   const std::string& problem() const {
-    for (const std::string* each : {&problems.model, &problems.light, &problems.materials})
+    for (const std::string* each : {&problems.model, &problems.light, &problems.materials, &problems.preparing})
       if (!each->empty()) return *each;
     return problems.frame;
   }
@@ -67,7 +67,8 @@ struct Viewer::State {
   Result<void> takeLight();
   Result<void> changeScene();
   bool moves() const { return gesture.isGoingOn() || since_moved_s < kRest_s; }
-  FrameSettings settings() const;
+  FrameSettings wanted() const;
+  Result<std::optional<FrameSettings>> prepared(const FrameSettings& wanted);
   Result<bool> draw();
   Result<void> keepPicture();
   bool showsMaterials() const;
@@ -84,15 +85,18 @@ struct Viewer::State {
   ViewerOptions options;
   Loading<ViewedModel> model = {};
   Loading<ViewedLight> light = {};
-  Scene loaded = {};                        ///< as the file has it
-  Workspace changed_for = {};               ///< whose materials the stage shows
-  std::optional<FrameSettings> begun = {};  ///< of the frame that is drawn
+  BackgroundTask<std::shared_ptr<StageWork>> preparing = {};  ///< of the stage, for another technique
+  FrameSettings prepared_for = {};                            ///< last
+  bool has_changed = true;                                    ///< the stage, since a frame has begun
+  Scene loaded = {};                                          ///< as the file has it
+  Workspace changed_for = {};                                 ///< whose materials the stage shows
+  std::optional<FrameSettings> begun = {};                    ///< of the frame that is drawn
   int programs_left = 0;
   double since_moved_s = kRest_s;
   double sample_s = 0.0;
   int samples_shown = 0;
   struct {
-    std::string model, light, materials, frame;
+    std::string model, light, materials, preparing, frame;
   } problems = {};
   struct OnDevice {
     Device device;  ///< outlives all else
@@ -158,7 +162,7 @@ Result<void> Viewer::State::takeModel() {
   loaded = std::move((*ready)->scene);
   changed_for = {};
   budget.forget();
-  model.is_there = true;
+  model.is_there = has_changed = true;
   return tell(stage.setScene(loaded, (*ready)->levels), problems.model);
 }
 
@@ -166,7 +170,7 @@ Result<void> Viewer::State::takeLight() {
   auto ready = light.task.take();
   if (!ready) return {};
   if (!*ready) return tell(fail(std::move(*ready)), problems.light);
-  light.is_there = true;
+  light.is_there = has_changed = true;
   return tell(stage.setEnvironment(std::move((*ready)->environment), (*ready)->prepared), problems.light);
 }
 
@@ -185,15 +189,56 @@ Result<void> Viewer::State::changeScene() {
   Scene changed = loaded;
   const auto changes = changeMaterials(changed, now());
   MIRRORBALL_TRY_VOID(tell(changes, problems.materials));
-  return changes ? tell(stage.setScene(std::move(changed)), problems.materials) : Result<void>();
+  if (!changes) return {};
+  has_changed = true;
+  return tell(stage.setScene(std::move(changed)), problems.materials);
 }
 
-FrameSettings Viewer::State::settings() const {
+FrameSettings Viewer::State::wanted() const {
   FrameSettings frame = frameOf(now(), 0).value_or(FrameSettings());
   frame.size = moves() ? budget.sizeFor(size_px) : size_px;
   if (moves()) frame.samples = 1;
   standOnGround(frame);
   return frame;
+}
+
+namespace {
+
+/// A technique as it is, seen as other settings say: from their camera, in their light.
+FrameSettings seenAs(FrameSettings technique, const FrameSettings& seen) {
+  technique.camera = seen.camera;
+  technique.size = seen.size;
+  technique.samples = seen.samples;
+  technique.display = seen.display;
+  technique.env_rotation_deg = seen.env_rotation_deg;
+  return technique;
+}
+
+}  // namespace
+
+/// Prepares the stage for what is wanted.
+///
+/// returns  what can be drawn meanwhile: what is wanted, the technique before, or nothing
+Result<std::optional<FrameSettings>> Viewer::State::prepared(const FrameSettings& wanted) {
+  if (auto ready = preparing.take()) {
+    const bool is_done = ready->has_value();
+    if (is_done) MIRRORBALL_TRY_VOID(stage.take(std::move(***ready)));
+    MIRRORBALL_TRY_VOID(tell(is_done ? Result<void>() : fail(std::move(*ready)), problems.preparing));
+  }
+  if (begun && !has_changed && seenAs(*begun, wanted) == wanted) return std::optional(wanted);
+  const bool has_failed = !problems.preparing.empty() && seenAs(prepared_for, wanted) == wanted;
+  if (!preparing.isRunning() && !has_failed) {
+    problems.preparing.clear();
+    MIRRORBALL_TRY(work, stage.workFor(wanted));
+    if (!work.isNeeded()) return std::optional(wanted);
+    prepared_for = wanted;
+    preparing.begin([work = std::make_shared<StageWork>(std::move(work))](
+                        const ProgressFunction& progress) -> Result<std::shared_ptr<StageWork>> {
+      MIRRORBALL_TRY_VOID(work->run(progress));
+      return work;
+    });
+  }
+  return begun && !has_changed ? std::optional(seenAs(*begun, wanted)) : std::nullopt;
 }
 
 /// Keeps what the view has drawn, which another frame then does not take away.
@@ -206,9 +251,12 @@ Result<void> Viewer::State::keepPicture() {
 }
 
 Result<bool> Viewer::State::draw() {
-  if (const FrameSettings wanted = settings(); !begun || *begun != wanted) {
-    MIRRORBALL_TRY_VOID(view.begin(wanted));
-    begun = wanted;
+  MIRRORBALL_TRY(frame, prepared(wanted()));
+  if (!frame) return false;
+  if (!begun || has_changed || *begun != *frame) {
+    MIRRORBALL_TRY_VOID(view.begin(*frame));
+    begun = *frame;
+    has_changed = false;
     programs_left = 1;
   }
   if (programs_left > 0) {
@@ -266,7 +314,8 @@ bool Viewer::isDone() const {
   if (!state.showsWhatIsAskedFor()) return false;
   const bool can_draw = state.model.is_there && state.light.is_there && state.problems.frame.empty();
   if (!can_draw) return true;
-  return state.begun && *state.begun == state.settings() && state.programs_left == 0 && state.view.isDone();
+  return !state.preparing.isRunning() && state.begun && *state.begun == state.wanted() && state.programs_left == 0 &&
+         state.view.isDone();
 }
 
 const Workspace& Viewer::workspace() const { return state_->now(); }
@@ -287,6 +336,9 @@ ViewerStatus Viewer::status() const {
   } else if (state.light.task.isRunning()) {
     status.loading = state.light.asked_for;
     status.loaded = state.light.task.share();
+  } else if (state.preparing.isRunning()) {
+    status.loading = "what frames need of the scene";
+    status.loaded = state.preparing.share();
   }
   return status;
 }

@@ -34,9 +34,10 @@ struct ViewerStatus {
   std::string problem = {};  ///< why what was asked for is not shown, one line; empty: it is
 };
 
-/// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it; until they
-/// are there, the picture before stays. While something moves pictures are as large as their time allows (TimeBudget),
-/// of one sample each; once it rests, all samples of the whole picture follow, one with each `advance`.
+/// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it, and what
+/// a technique needs of a scene is found beside it; until that is there, the picture before stays. While something
+/// moves, pictures are as large as their time allows (TimeBudget), of one sample each; once it rests, all samples of the
+/// whole picture follow, one with each `advance`.
 class Viewer {
  public:
   /// size_px   of the picture

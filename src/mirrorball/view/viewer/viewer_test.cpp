@@ -136,6 +136,30 @@ TEST_F(ViewerTest, WhatCannotBeLoadedIsToldAndThePictureStays) {
   EXPECT_EQ(pictureOf(viewer), before);
 }
 
+// What vertices know of a scene takes a while: the picture before stays, and turns with the hand.
+TEST_F(ViewerTest, ATechniqueIsPreparedBesideIt) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  viewer.history().change("Occlusion", *withOption(viewer.workspace(), OptionTable::frame, "occlusion", "vertex"));
+  ASSERT_TRUE(viewer.advance(0.01));
+  EXPECT_FALSE(viewer.status().loading.empty());
+  EXPECT_EQ(pictureOf(viewer), before);
+  viewer.handle(Scrolled{3.0f, {10, 10}});
+  ASSERT_TRUE(viewer.advance(0.01));
+  finish(viewer);
+  EXPECT_TRUE(viewer.status().loading.empty());
+  viewer.history().undo();
+  viewer.history().redo();
+  EXPECT_EQ(frameOf(viewer.workspace(), 0)->occlusion, OcclusionKind::vertex);
+  Renderer renderer = *Renderer::on(*gl::Context::adoptCurrent());
+  ASSERT_TRUE(renderer.setEnvironment(loadEnvironment(teapot().maps[0])->environment));
+  ASSERT_TRUE(renderer.setScene(*loadModel("teapot")));
+  FrameSettings settings = *frameOf(viewer.workspace(), 0);
+  settings.size = kSize;
+  EXPECT_EQ(pictureOf(viewer), bytesOf(*renderer.render(settings)));
+}
+
 TEST_F(ViewerTest, FollowsTheSizeOfItsWindow) {
   Viewer viewer(device(), teapot(), kSize);
   finish(viewer);

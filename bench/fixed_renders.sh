@@ -39,6 +39,13 @@ for program; do
 done
 cd "$folder"
 
+for row in $rows; do
+  case $row in
+    draft | good | sample | cold_draft | cold_good | sphere | showcase | reference) ;;
+    *) echo "fixed_renders.sh: there is no row '$row'" >&2 && exit 2 ;;
+  esac
+done
+
 argumentsOf() {
   helmet="$data/FlightHelmet/FlightHelmet.gltf -e $data/lightroom_14b.hdr"
   case $1 in
@@ -49,7 +56,6 @@ argumentsOf() {
     sphere) echo "sphere -e studio" ;;
     showcase) ;;
     reference) echo "--reference --samples 16" ;;
-    *) echo "fixed_renders.sh: there is no row '$1'" >&2 && exit 1 ;;
   esac
 }
 

@@ -42,6 +42,8 @@ class Framebuffer {
   const Texture& depth() const { return *depth_; }
   Depths depths() const;
 
+  /// OpenGL's name of it.
+  unsigned name() const { return handle_.name(); }
   int width() const { return color_.width(); }
   int height() const { return color_.height(); }
 

@@ -57,6 +57,18 @@ std::optional<glm::vec3> parseHexColor(std::string_view text) {
   return formula::linearFromSrgb(encoded / 255.0f);
 }
 
+/// Linear light as "#rrggbb".
+std::string hexColor(glm::vec3 linear) {
+  const glm::ivec3 codes(glm::round(glm::clamp(formula::srgbFromLinear(linear), 0.0f, 1.0f) * 255.0f));
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (int channel = 0; channel < 3; ++channel) {
+    text += kDigits[static_cast<std::size_t>(codes[channel] / 16)];
+    text += kDigits[static_cast<std::size_t>(codes[channel] % 16)];
+  }
+  return text;
+}
+
 constexpr std::array<std::string_view, 3> kBackgroundNames{"env", "blur", "transparent"};
 constexpr std::array<BackgroundKind, 3> kBackgroundKinds{BackgroundKind::environment, BackgroundKind::blur,
                                                          BackgroundKind::transparent};
@@ -90,6 +102,7 @@ Result<void> parseBackground(const OptionText& text, std::string_view written, F
 std::string writtenBackground(const FrameSettings& settings) {
   for (std::size_t i = 0; i < kBackgroundKinds.size(); ++i)
     if (settings.background == kBackgroundKinds[i]) return std::string(kBackgroundNames[i]);
+  if (settings.background == BackgroundKind::display_color) return hexColor(settings.background_color);
   return writeNumbers({&settings.background_color.x, 3});
 }
 

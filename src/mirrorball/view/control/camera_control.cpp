@@ -73,7 +73,10 @@ CameraOptions panned(CameraOptions camera, const BoundingSphere& bounds, glm::ve
 CameraOptions zoomed(CameraOptions camera, const BoundingSphere& bounds, float factor, glm::vec2 pointer_px,
                      glm::ivec2 size) {
   if (!camera.name.empty()) return camera;
-  const auto limited = [&](float length) { return std::clamp(length * factor, kNearest, kFarthest); };
+  // One that is beyond already goes no farther, and comes back from there.
+  const auto limited = [&](float length) {
+    return std::clamp(length * factor, std::min(kNearest, length), std::max(kFarthest, length));
+  };
   const float before = radiiPerPixel(camera, size);
   if (camera.orthographic_height)
     camera.orthographic_height = limited(*camera.orthographic_height);
@@ -95,6 +98,7 @@ CameraOptions flown(CameraOptions camera, const BoundingSphere& bounds, glm::vec
 
 CameraOptions lookedAround(CameraOptions camera, const BoundingSphere& bounds, glm::vec2 by_px, glm::ivec2 size) {
   if (!camera.name.empty()) return camera;
+  if (camera.orthographic_height) return orbited(std::move(camera), by_px, size);
   const float distance = camera.distance.value_or(1.0f);
   const glm::vec3 before = axesOf(camera).backward;
   turn(camera, degreesOf(glm::vec2(-by_px.x, by_px.y), size));
@@ -107,13 +111,13 @@ CameraOptions alongAxis(CameraOptions camera, AxisView view) {
   constexpr std::array<glm::vec2, 6> kAngles_deg{glm::vec2(0, 0),  glm::vec2(-180, 0), glm::vec2(-90, 0),
                                                  glm::vec2(90, 0), glm::vec2(0, 90),   glm::vec2(0, -90)};
   const glm::vec2 angles_deg = kAngles_deg[static_cast<std::size_t>(view)];
-  camera.name.clear();
   camera.azimuth_deg = angles_deg.x;
   camera.elevation_deg = angles_deg.y;
   return framingAll(camera);
 }
 
 CameraOptions framingAll(CameraOptions camera) {
+  camera.name.clear();
   camera.distance.reset();
   camera.target.reset();
   if (camera.orthographic_height) camera.orthographic_height = 0.0f;

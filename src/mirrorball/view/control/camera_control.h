@@ -38,16 +38,16 @@ CameraOptions zoomed(CameraOptions camera, const BoundingSphere& bounds, float f
 /// by   to the right, up and ahead, in model radii
 CameraOptions flown(CameraOptions camera, const BoundingSphere& bounds, glm::vec3 by);
 
-/// Looks around from where it stands: its target goes round it.
+/// Looks around from where it stands: its target goes round it. A parallel one, which stands nowhere, is orbited.
 CameraOptions lookedAround(CameraOptions camera, const BoundingSphere& bounds, glm::vec2 by_px, glm::ivec2 size);
 
 /// Along which axis one looks at the middle of the model.
 enum class AxisView { front, back, left, right, top, bottom };
 
-/// Of the options, what stays is the angle of view.
+/// Angle of view and kind of projection stay.
 CameraOptions alongAxis(CameraOptions camera, AxisView view);
 
-/// Holds all of the model, from the same side.
+/// Holds all of the model, from the same side; leaves a model's camera.
 CameraOptions framingAll(CameraOptions camera);
 
 }  // namespace mirrorball

@@ -135,12 +135,25 @@ TEST(CameraControl, LooksAlongAnAxisAndHoldsAll) {
   EXPECT_FLOAT_EQ(alongAxis(camera, AxisView::top).elevation_deg, 90.0f);
 }
 
+TEST(CameraControl, AParallelCameraThatLooksAroundGoesRound) {
+  CameraOptions parallel{.target = kBounds.center};
+  parallel.orthographic_height = 2.0f;
+  EXPECT_EQ(lookedAround(parallel, kBounds, {9, 4}, kSize), orbited(parallel, {9, 4}, kSize));
+}
+
+TEST(CameraControl, ADistanceBeyondItsLimitsComesBackFromThere) {
+  CameraOptions far{.distance = 5000.0f, .target = kBounds.center};
+  EXPECT_FLOAT_EQ(*zoomed(far, kBounds, 0.9f, {10, 10}, kSize).distance, 4500.0f);
+  EXPECT_FLOAT_EQ(*zoomed(far, kBounds, 1.1f, {10, 10}, kSize).distance, 5000.0f);
+}
+
 TEST(CameraControl, ACameraOfTheModelStandsStill) {
   const CameraOptions camera{.name = "door"};
   EXPECT_EQ(orbited(camera, {5, 5}, kSize), camera);
   EXPECT_EQ(panned(camera, kBounds, {5, 5}, kSize), camera);
   EXPECT_EQ(zoomed(camera, kBounds, 2.0f, {5, 5}, kSize), camera);
   EXPECT_EQ(flown(camera, kBounds, {1, 1, 1}), camera);
+  EXPECT_TRUE(framingAll(camera).name.empty()) << "but it is left to show all";
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "mirrorball/view/control/camera_control.h"
-#include "mirrorball/view/panel/panel.h"
 
 namespace mirrorball {
 namespace {
 
 /// Where the camera is by the options alone.
 CameraOptions cameraOf(const History& history) {
-  const auto settings = frameOf(history.now(), history.now().edited_side);
+  const auto settings = frameOf(history.now(), editedSide(history.now()));
   return settings ? settings->camera : CameraOptions();
 }
 
@@ -37,7 +36,7 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"undo", "Undo", "Edit", "Ctrl+Z", "", [](History& history) { (void)history.undo(); }},
     {"redo", "Do again", "Edit", "Ctrl+Shift+Z", "Ctrl+Y", [](History& history) { (void)history.redo(); }},
     {"reset-all", "Reset all options", "Edit", "Ctrl+Shift+R", "",
-     [](History& history) { history.change("Reset all options", withoutGroup(history.now())); }},
+     [](History& history) { history.change("Reset all options", withoutOptions(history.now())); }},
     {"frame-all", "Show all", "Camera", "F", "Home",
      [](History& history) { history.change("Show all", withCamera(history.now(), framingAll(cameraOf(history)))); }},
     {"view-front", "From the front", "Camera", "1", "", lookAlong<AxisView::front>},
@@ -51,6 +50,8 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"compare-slider", "Compare side by side", "Compare", "C", "", compare<CompareBy::slider>},
     {"compare-flip", "Compare by flipping", "Compare", "Shift+C", "", compare<CompareBy::flip>},
     {"compare-difference", "Show the difference", "Compare", "Ctrl+D", "", compare<CompareBy::difference>},
+    {"compare-flip-error", "Show the visible error (FLIP)", "Compare", "Ctrl+Shift+D", "",
+     compare<CompareBy::flip_error>},
     {"edit-other", "Edit the other half", "Compare", "Tab", "",
      [](History& history) {
        Workspace next = history.now();
@@ -60,7 +61,7 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"trace", "Trace paths: the truth", "Compare", "T", "",
      [](History& history) {
        Workspace next = history.now();
-       Side& side = next.sides[next.edited_side];
+       Side& side = next.sides[editedSide(next)];
        side.is_traced = !side.is_traced;
        history.change("Trace paths", std::move(next));
      }},

@@ -74,6 +74,10 @@ std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const
                 true};
 }
 
+bool Gesture::asksForPicture(const Event& event) const {
+  return std::holds_alternative<Scrolled>(event) || (held_ && std::holds_alternative<PointerMoved>(event));
+}
+
 std::optional<Change> Gesture::handle(const Event& event, const Workspace& now, const ShownPicture& shown) {
   if (const auto* pressed = std::get_if<PointerPressed>(&event)) {
     if (!held_) held_ = Held{pressed->button, kindOf(*pressed), pressed->place_px};

@@ -42,6 +42,9 @@ class Gesture {
   /// What keys that are held change as time goes on.
   std::optional<Change> advance(double seconds, const Workspace& now, const ShownPicture& shown) const;
 
+  /// Whether `handle` needs to know what is shown; else any ShownPicture does.
+  bool asksForPicture(const Event& event) const;
+
   /// Whether something is held that moves the picture.
   bool isGoingOn() const { return held_.has_value() || !flying_.empty(); }
 

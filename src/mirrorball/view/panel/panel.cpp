@@ -3,63 +3,86 @@
 #include <algorithm>
 #include <utility>
 
+#include "mirrorball/base/text.h"
+
 namespace mirrorball {
 namespace {
 
-/// Adds the rows of a table to the groups that they name.
-///
-/// defaults   what they are where nobody has given them
-template <typename Table, typename Target>
-void addRows(Table options, OptionTable table, const Target& values, const Target& defaults, const GivenTexts& given,
-             std::vector<PanelGroup>& groups) {
-  for (const Option<Target>& option : options) {
-    const OptionText& text = option.text;
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& each) { return each.title == text.group; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {text.group, {}});
-    PanelRow row{.table = table,
-                 .name = text.name,
-                 .unit = text.unit,
-                 .help = filledIn(text.help, [](std::string_view name) { return std::string(name); }),
-                 .control = controlOf(option),
-                 .choices = text.choices.empty() ? std::vector<std::string_view>() : choicesOf(text),
-                 .value = valueOf(option, values),
-                 .default_value = valueOf(option, defaults),
-                 .is_given = given.contains(text.name),
-                 .is_daily = text.is_daily};
-    if (text.names) row.names.assign(text.names().begin(), text.names().end());
-    group->rows.push_back(std::move(row));
-  }
+/// The values of a table's options: as they are, and what they are where nobody has given them.
+template <typename Target>
+struct Values {
+  Target now;
+  Target otherwise;
+  const GivenTexts& given;
+};
+
+template <typename Target>
+PanelRow rowOf(const Option<Target>& option, OptionTable table, const Values<Target>& values) {
+  const OptionText& text = option.text;
+  PanelRow row{.table = table,
+               .name = text.name,
+               .unit = text.unit,
+               .help = filledIn(text.help, [](std::string_view name) { return std::string(name); }),
+               .control = controlOf(option),
+               .choices = text.choices.empty() ? std::vector<std::string_view>() : choicesOf(text),
+               .value = valueOf(option, values.now),
+               .default_value = valueOf(option, values.otherwise),
+               .text = written(option, values.now),
+               .may_repeat = option.mayRepeat(),
+               .is_given = values.given.contains(text.name),
+               .is_daily = text.is_daily};
+  if (text.names) row.names.assign(text.names().begin(), text.names().end());
+  if (const auto found = values.given.find(text.name); row.may_repeat && found != values.given.end())
+    row.texts = found->second;
+  return row;
 }
 
-/// The text of a value, as the row's option writes it.
+void addRow(PanelRow row, std::string_view title, std::vector<PanelGroup>& groups) {
+  auto group = std::find_if(groups.begin(), groups.end(), [&](const PanelGroup& each) { return each.title == title; });
+  if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
+  group->rows.push_back(std::move(row));
+}
+
+/// The text of a value, as the row's option writes it; empty: of no value.
 template <typename Target, typename Table>
 Result<std::string> textOf(Table options, std::string_view name, const ControlValue& value) {
   for (const Option<Target>& option : options) {
     if (option.text.name != name) continue;
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    const auto* numbers = std::get_if<std::vector<float>>(&value);
+    if (numbers && numbers->empty()) return std::string();
     Target target;
     MIRRORBALL_TRY_VOID(setValue(option, target, value));
-    return written(option, target);
+    return numbers ? detail::textOf(option.text, *numbers) : written(option, target);
   }
-  return fail(ErrorCode::usage, "there is no option '" + std::string(name) + "'");
+  return fail(ErrorCode::usage, "there is no option '" + excerpt(name) + "'");
 }
 
 }  // namespace
 
 Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Material* selected) {
-  MIRRORBALL_TRY(frame, frameOf(workspace, workspace.edited_side));
+  const std::size_t side = editedSide(workspace);
+  const bool is_comparing = workspace.compare_by != CompareBy::none;
+  MIRRORBALL_TRY(frame, frameOf(workspace, side));
+  MIRRORBALL_TRY(of_both, frameOf(workspace.frame));
   MIRRORBALL_TRY(materials, materialsOf(workspace.materials));
-  GivenTexts given = workspace.frame;
-  for (const auto& [name, texts] : workspace.sides[workspace.edited_side].frame) given[name] = texts;
+  const Values<FrameSettings> shared{frame, FrameSettings(), workspace.frame};
+  const Values<FrameSettings> of_half{frame, of_both, workspace.sides[side].frame};
   std::vector<PanelGroup> groups;
-  addRows(frameOptions(), OptionTable::frame, frame, FrameSettings(), given, groups);
-  addRows(materialOptions(), OptionTable::material, materials, MaterialChanges(), workspace.materials, groups);
+  for (const auto& option : frameOptions())
+    addRow(rowOf(option, OptionTable::frame, is_comparing && !isShared(option.text.name) ? of_half : shared),
+           option.text.group, groups);
+  const Values<MaterialChanges> of_model{materials, MaterialChanges(), workspace.materials};
+  for (const auto& option : materialOptions())
+    addRow(rowOf(option, OptionTable::material, of_model), option.text.group, groups);
   if (!selected || !workspace.selected_material) return groups;
-  const auto of_material = workspace.parameters.find(*workspace.selected_material);
-  const GivenTexts parameters = of_material == workspace.parameters.end() ? GivenTexts() : of_material->second;
+  const auto found = workspace.parameters.find(*workspace.selected_material);
+  const GivenTexts given = found == workspace.parameters.end() ? GivenTexts() : found->second;
   Material changed = *selected;
-  MIRRORBALL_TRY_VOID(setParameters(parameters, changed));
-  addRows(materialParameters(), OptionTable::parameter, changed, *selected, parameters, groups);
+  MIRRORBALL_TRY_VOID(setParameters(given, changed));
+  const Values<Material> of_material{std::move(changed), *selected, given};
+  for (const Option<Material>& parameter : materialParameters())
+    addRow(rowOf(parameter, OptionTable::parameter, of_material), parameter.text.group, groups);
   return groups;
 }
 
@@ -68,15 +91,14 @@ Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, con
                     : row.table == OptionTable::material ? textOf<MaterialChanges>(materialOptions(), row.name, value)
                                                          : textOf<Material>(materialParameters(), row.name, value);
   if (!text) return tl::unexpected<Error>(text.error());
-  if (text->empty()) return withoutOption(workspace, row.table, row.name);
+  if (text->empty()) return row.may_repeat ? workspace : withoutOption(workspace, row.table, row.name);
   return withOption(workspace, row.table, row.name, *text);
 }
 
 Workspace withoutGroup(Workspace workspace, std::string_view title) {
   const auto leave = [&](auto options, OptionTable table) {
     for (const auto& option : options)
-      if (title.empty() || option.text.group == title)
-        workspace = withoutOption(std::move(workspace), table, option.text.name);
+      if (option.text.group == title) workspace = withoutOption(std::move(workspace), table, option.text.name);
   };
   leave(frameOptions(), OptionTable::frame);
   leave(materialOptions(), OptionTable::material);

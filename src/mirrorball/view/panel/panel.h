@@ -21,8 +21,11 @@ struct PanelRow {
   OptionControl control = {};
   std::vector<std::string_view> choices = {};  ///< of ControlKind::choice, in the order of its numbers
   std::vector<std::string_view> names = {};    ///< that a text or a file may be
-  ControlValue value = {};
-  ControlValue default_value = {};
+  ControlValue value = {};                     ///< of one that may be repeated: what would be added
+  ControlValue default_value = {};             ///< to which a reset leads; in a comparison what both halves have
+  std::string text = {};                       ///< the value as a command line has it
+  std::vector<std::string> texts = {};         ///< that were given, of one that may be repeated: each can be taken away
+  bool may_repeat = false;
   bool is_given = false;  ///< and not left to its default
   bool is_daily = false;  ///< most people use it
 };
@@ -36,18 +39,18 @@ struct PanelGroup {
 /// All rows, by group, in the tables' order: of the half that is edited and the material that is selected, with their
 /// values.
 ///
-/// selected   the material, as it was loaded; null: its rows are left out
+/// selected   the material as it is without Workspace::parameters; null: its rows are left out
 /// errors     as frameOf's
 Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Material* selected = nullptr);
 
-/// Sets a row.
+/// Sets a row. No numbers leave it to its default.
 ///
 /// value    of the row's kind
 /// errors   usage
 Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, const ControlValue& value);
 
-/// Leaves all rows of a group to their defaults; of no title, all of all.
-Workspace withoutGroup(Workspace workspace, std::string_view title = {});
+/// Leaves all rows of a group to their defaults.
+Workspace withoutGroup(Workspace workspace, std::string_view title);
 
 /// Rows that a few letters may mean, the likeliest first: "roug" finds ground-roughness. Names count more than help,
 /// a beginning more than what lies inside, and letters may be left out.

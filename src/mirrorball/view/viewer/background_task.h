@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -17,7 +18,8 @@
 namespace mirrorball {
 
 /// Work that goes on beside its owner, who asks from time to time what has become of it: the last that was begun. Where
-/// there are no threads it is done when it is asked for.
+/// there are no threads it is done when it is asked for. What does not stop when it is told to is waited for at the end,
+/// and where four such works go on still.
 template <typename Value>
 class BackgroundTask {
  public:
@@ -35,11 +37,14 @@ class BackgroundTask {
     cancel();
     auto steps = std::make_shared<Steps>();
     auto running = std::async(besideOthers(), [steps, work = std::move(work)] {
-      return work([steps](std::size_t done, std::size_t total) {
+      auto result = work([steps](std::size_t done, std::size_t total) {
         steps->done = done;
         steps->total = total;
         return !steps->is_cancelled.load();
       });
+      // What nobody asks for any more takes no memory.
+      if (steps->is_cancelled) return Result<Value>(fail(ErrorCode::interrupted, "interrupted"));
+      return result;
     });
     now_ = Run{std::move(steps), std::move(running)};
   }
@@ -62,11 +67,12 @@ class BackgroundTask {
   double share() const {
     if (!now_) return 0.0;
     const std::size_t total = now_->steps->total;
-    return total == 0 ? 0.0 : double(now_->steps->done) / double(total);
+    return total == 0 ? 0.0 : std::min(double(now_->steps->done) / double(total), 1.0);
   }
 
   /// What has become of it, once; nothing: there is none, or it goes on.
   std::optional<Result<Value>> take() {
+    std::erase_if(stopping_, [](const Run& run) { return hasEnded(run); });
     if (!now_ || now_->future.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return std::nullopt;
     std::optional<Result<Value>> result(now_->future.get());
     now_.reset();

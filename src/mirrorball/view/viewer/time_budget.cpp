@@ -7,7 +7,7 @@ namespace mirrorball {
 namespace {
 
 constexpr std::array<float, 5> kScales{1.0f, 0.75f, 0.5f, 0.375f, 0.25f};
-constexpr int kLeastWidth_px = 640;
+constexpr double kLeastPixels = 640.0 * 360.0;
 
 double pixelsOf(glm::ivec2 size_px) { return double(size_px.x) * double(size_px.y); }
 
@@ -21,7 +21,7 @@ glm::ivec2 TimeBudget::sizeFor(glm::ivec2 window_px) const {
   glm::ivec2 size_px = scaled(window_px, 1.0f);
   for (const float scale : kScales) {
     const glm::ivec2 smaller_px = scaled(window_px, scale);
-    if (scale < 1.0f && smaller_px.x < kLeastWidth_px) break;
+    if (scale < 1.0f && pixelsOf(smaller_px) < kLeastPixels) break;
     size_px = smaller_px;
     if (pixelsOf(size_px) * seconds_per_pixel_ <= frame_s_) break;
   }

@@ -5,8 +5,8 @@
 namespace mirrorball {
 
 /// How large a picture may be while something moves, so that each takes no longer than was asked for: it learns from
-/// those that were drawn. Sides are whole, 3/4, 1/2, 3/8 or 1/4 of the window's, but no picture is narrower than 640
-/// pixels for that reason, since little can be told in smaller ones.
+/// those that were drawn. Sides are whole, 3/4, 1/2, 3/8 or 1/4 of the window's, but no picture gets fewer pixels than
+/// 640 × 360 for that reason, since little can be told in smaller ones.
 class TimeBudget {
  public:
   /// frame_s   that a picture may take, above 0 [s]

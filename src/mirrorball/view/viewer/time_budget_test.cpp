@@ -35,6 +35,7 @@ TEST(TimeBudget, APictureStaysLargeEnoughToBeTold) {
   slow.drew({100, 100}, 9.0);
   EXPECT_EQ(slow.sizeFor({320, 200}), glm::ivec2(320, 200));
   EXPECT_EQ(slow.sizeFor({3840, 2160}), glm::ivec2(960, 540));
+  EXPECT_EQ(slow.sizeFor({600, 2000}), glm::ivec2(300, 1000)) << "a narrow window, too";
   EXPECT_EQ(slow.sizeFor({1, 1}), glm::ivec2(1));
 }
 

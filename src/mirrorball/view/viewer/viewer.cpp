@@ -41,8 +41,8 @@ struct Viewer::State {
   template <typename Value>
   struct Loading {
     BackgroundTask<Value> task;
-    std::string asked_for = {};  ///< last
-    bool is_there = false;       ///< something of the kind
+    std::optional<std::string> asked_for = {};  ///< last
+    bool is_there = false;                      ///< something of the kind
   };
 
   State(const Device& device, Workspace start, glm::ivec2 size, ViewerOptions given)
@@ -66,13 +66,14 @@ struct Viewer::State {
   Result<void> takeModel();
   Result<void> takeLight();
   Result<void> changeScene();
-  bool moves() const { return gesture.isGoingOn() || since_moved_s < kRest_s; }
+  Result<void> changeMaterialsOfStage(bool has_other_options);
+  bool moves() const { return since_moved_s < kRest_s; }
   FrameSettings wanted() const;
   Result<std::optional<FrameSettings>> prepared(const FrameSettings& wanted);
-  Result<bool> draw();
+  Result<bool> draw(const FrameSettings& frame);
+  Result<bool> drawWanted();
   Result<void> keepPicture();
   bool showsMaterials() const;
-  bool showsWhatIsAskedFor() const;
   /// Tells what fails in a line of `problems`, which is empty where it does not; but a driver that is gone ends all.
   Result<void> tell(Result<void> result, std::string& problem);
 
@@ -89,10 +90,14 @@ struct Viewer::State {
   FrameSettings prepared_for = {};                            ///< last
   bool has_changed = true;                                    ///< the stage, since a frame has begun
   Scene loaded = {};                                          ///< as the file has it
-  Workspace changed_for = {};                                 ///< whose materials the stage shows
-  std::optional<FrameSettings> begun = {};                    ///< of the frame that is drawn
+  Scene optioned = {};                                        ///< that, as Workspace::materials says
+  /// Whose materials the stage shows; nothing: those of the file.
+  std::optional<Workspace> changed_for = {};
+  std::optional<FrameSettings> begun = {};   ///< of the frame that is drawn
+  std::optional<FrameSettings> failed = {};  ///< what could not be drawn; problems.frame says why
   int programs_left = 0;
   double since_moved_s = kRest_s;
+  bool has_just_moved = false;  ///< since the last `advance`
   double sample_s = 0.0;
   int samples_shown = 0;
   struct {
@@ -124,18 +129,18 @@ Result<ViewedLight> loadedLight(const std::string& name, const std::optional<Cac
 }  // namespace
 
 ShownPicture Viewer::State::shown() const {
-  const auto frame = frameOf(now(), 0);
+  FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
+  standOnGround(frame);
   const float aspect = static_cast<float>(size_px.x) / static_cast<float>(size_px.y);
-  if (!frame) return {.size_px = size_px};
-  return {.camera = placedCamera(stage.scene(), stage.bounds(), frame->camera, aspect),
+  return {.camera = placedCamera(stage.scene(), stage.bounds(), frame.camera, aspect),
           .bounds = stage.bounds(),
           .size_px = size_px,
-          .env_rotation_deg = frame->env_rotation_deg};
+          .env_rotation_deg = frame.env_rotation_deg};
 }
 
 void Viewer::State::apply(std::optional<Change> change) {
-  if (!change) return;
-  if (change->goes_on) since_moved_s = 0.0;
+  if (!change || change->next == now()) return;
+  has_just_moved = change->goes_on;
   history.change(std::move(change->name), std::move(change->next), change->goes_on);
 }
 
@@ -146,11 +151,11 @@ Result<void> Viewer::State::tell(Result<void> result, std::string& problem) {
 }
 
 void Viewer::State::load() {
-  if (const std::string& name = now().model; name != std::exchange(model.asked_for, name))
+  if (const std::string& name = now().model; std::exchange(model.asked_for, name) != name)
     model.task.begin([name, inside_only = options.inside_only](const ProgressFunction& progress) {
       return loadedModel(name, inside_only, progress);
     });
-  if (const std::string& name = now().maps[now().shown_map]; name != std::exchange(light.asked_for, name))
+  if (const std::string& name = now().maps[now().shown_map]; std::exchange(light.asked_for, name) != name)
     light.task.begin(
         [name, cache = options.cache](const ProgressFunction& progress) { return loadedLight(name, cache, progress); });
 }
@@ -159,11 +164,15 @@ Result<void> Viewer::State::takeModel() {
   auto ready = model.task.take();
   if (!ready) return {};
   if (!*ready) return tell(fail(std::move(*ready)), problems.model);
-  loaded = std::move((*ready)->scene);
-  changed_for = {};
+  const auto is_set = stage.setScene((*ready)->scene, (*ready)->levels);
+  if (!is_set) return tell(is_set, problems.model);
+  loaded = optioned = std::move((*ready)->scene);
+  changed_for.reset();
+  problems.model.clear();
+  problems.materials.clear();
   budget.forget();
   model.is_there = has_changed = true;
-  return tell(stage.setScene(loaded, (*ready)->levels), problems.model);
+  return {};
 }
 
 Result<void> Viewer::State::takeLight() {
@@ -175,27 +184,34 @@ Result<void> Viewer::State::takeLight() {
 }
 
 bool Viewer::State::showsMaterials() const {
-  return changed_for.materials == now().materials && changed_for.parameters == now().parameters;
+  if (!changed_for) return now().materials.empty() && now().parameters.empty();
+  return changed_for->materials == now().materials && changed_for->parameters == now().parameters;
 }
 
-bool Viewer::State::showsWhatIsAskedFor() const {
-  return model.asked_for == now().model && light.asked_for == now().maps[now().shown_map] && showsMaterials();
-}
-
-/// Gives the stage the materials that are asked for.
+/// Gives a model the materials that are asked for, unless another model is asked for.
 Result<void> Viewer::State::changeScene() {
-  if (showsMaterials()) return {};
+  if (showsMaterials() || model.task.isRunning() || !problems.model.empty()) return {};
+  const bool has_other_options = !changed_for || changed_for->materials != now().materials;
   changed_for = now();
-  Scene changed = loaded;
-  const auto changes = changeMaterials(changed, now());
-  MIRRORBALL_TRY_VOID(tell(changes, problems.materials));
-  if (!changes) return {};
+  return tell(changeMaterialsOfStage(has_other_options), problems.materials);
+}
+
+Result<void> Viewer::State::changeMaterialsOfStage(bool has_other_options) {
+  if (has_other_options) {
+    MIRRORBALL_TRY(changes, materialsOf(now().materials));
+    Scene changed = loaded;
+    MIRRORBALL_TRY_VOID(changeMaterials(changed, changes));
+    optioned = std::move(changed);
+  }
+  Scene changed = optioned;
+  MIRRORBALL_TRY_VOID(changeParameters(changed, now()));
   has_changed = true;
-  return tell(stage.setScene(std::move(changed)), problems.materials);
+  return stage.setScene(std::move(changed));
 }
 
 FrameSettings Viewer::State::wanted() const {
   FrameSettings frame = frameOf(now(), 0).value_or(FrameSettings());
+  frame.proxy.load.inside_only = options.inside_only;
   frame.size = moves() ? budget.sizeFor(size_px) : size_px;
   if (moves()) frame.samples = 1;
   standOnGround(frame);
@@ -221,9 +237,9 @@ FrameSettings seenAs(FrameSettings technique, const FrameSettings& seen) {
 /// returns  what can be drawn meanwhile: what is wanted, the technique before, or nothing
 Result<std::optional<FrameSettings>> Viewer::State::prepared(const FrameSettings& wanted) {
   if (auto ready = preparing.take()) {
-    const bool is_done = ready->has_value();
-    if (is_done) MIRRORBALL_TRY_VOID(stage.take(std::move(***ready)));
-    MIRRORBALL_TRY_VOID(tell(is_done ? Result<void>() : fail(std::move(*ready)), problems.preparing));
+    const auto taken = *ready ? stage.take(std::move(***ready)) : Result<bool>(fail(std::move(*ready)));
+    MIRRORBALL_TRY_VOID(
+        tell(taken ? Result<void>() : Result<void>(tl::unexpected<Error>(taken.error())), problems.preparing));
   }
   if (begun && !has_changed && seenAs(*begun, wanted) == wanted) return std::optional(wanted);
   const bool has_failed = !problems.preparing.empty() && seenAs(prepared_for, wanted) == wanted;
@@ -244,18 +260,14 @@ Result<std::optional<FrameSettings>> Viewer::State::prepared(const FrameSettings
 /// Keeps what the view has drawn, which another frame then does not take away.
 Result<void> Viewer::State::keepPicture() {
   MIRRORBALL_TRY_VOID(gl::resize(on->picture, gl::Format::rgba8, begun->size));
-  on->picture->bind();
-  GLint name = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
-  return view.show(static_cast<unsigned>(name));
+  return view.show(on->picture->name());
 }
 
-Result<bool> Viewer::State::draw() {
-  MIRRORBALL_TRY(frame, prepared(wanted()));
-  if (!frame) return false;
-  if (!begun || has_changed || *begun != *frame) {
-    MIRRORBALL_TRY_VOID(view.begin(*frame));
-    begun = *frame;
+Result<bool> Viewer::State::draw(const FrameSettings& frame) {
+  if (!begun || has_changed || *begun != frame) {
+    begun.reset();  // until it has begun
+    MIRRORBALL_TRY_VOID(view.begin(frame));
+    begun = frame;
     has_changed = false;
     programs_left = 1;
   }
@@ -269,10 +281,26 @@ Result<bool> Viewer::State::draw() {
   MIRRORBALL_TRY(drawn, view.drawSample());
   glFinish();
   sample_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  budget.drew(begun->size, sample_s);
+  if (drawn == 1) budget.drew(begun->size, sample_s);  // later ones may be of a few pixels
   samples_shown = drawn;
   MIRRORBALL_TRY_VOID(keepPicture());
   return true;
+}
+
+/// Draws a piece of what is wanted, or tells why not.
+Result<bool> Viewer::State::drawWanted() {
+  const FrameSettings frame = wanted();
+  if (failed && (*failed != frame || has_changed)) failed.reset();
+  if (failed) return false;
+  auto drawn = [&]() -> Result<bool> {
+    if (const auto given = frameOf(now(), 0); !given) return tl::unexpected<Error>(given.error());
+    MIRRORBALL_TRY(can_be_drawn, prepared(frame));
+    return can_be_drawn ? draw(*can_be_drawn) : Result<bool>(false);
+  }();
+  if (!drawn) failed = frame;
+  const bool is_other = drawn && *drawn;
+  MIRRORBALL_TRY_VOID(tell(drawn ? Result<void>() : fail(std::move(drawn)), problems.frame));
+  return is_other;
 }
 
 Viewer::Viewer(const Device& device, Workspace start, glm::ivec2 size_px, ViewerOptions options)
@@ -289,32 +317,48 @@ void Viewer::handle(const Event& event) {
   }
   if (const auto* pressed = std::get_if<KeyPressed>(&event))
     if (const ViewerCommand* command = commandOfKey(chordOf(*pressed))) return command->perform(state.history);
-  state.apply(state.gesture.handle(event, state.now(), state.shown()));
-  if (std::holds_alternative<PointerReleased>(event)) state.history.endGesture();
+  // Before there is a model nothing says how far a hand moves.
+  if (!state.model.is_there) return;
+  const bool was_going_on = state.gesture.isGoingOn();
+  const ShownPicture shown = state.gesture.asksForPicture(event) ? state.shown() : ShownPicture();
+  state.apply(state.gesture.handle(event, state.now(), shown));
+  if (was_going_on && !state.gesture.isGoingOn()) state.history.endGesture();
 }
 
 Result<bool> Viewer::advance(double seconds) {
   State& state = *state_;
-  state.since_moved_s += std::max(seconds, 0.0);
-  if (state.gesture.isGoingOn()) state.apply(state.gesture.advance(seconds, state.now(), state.shown()));
+  constexpr double kMostFlown_s = 0.1;  // a host may have slept
+  if (state.gesture.isGoingOn())
+    state.apply(state.gesture.advance(std::min(seconds, kMostFlown_s), state.now(), state.shown()));
+  const bool moved = state.moves();
+  state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
+  if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
   state.load();
   MIRRORBALL_TRY_VOID(state.takeModel());
   MIRRORBALL_TRY_VOID(state.takeLight());
   if (!state.model.is_there || !state.light.is_there) return false;
   MIRRORBALL_TRY_VOID(state.changeScene());
-  auto drawn = state.draw();
-  const bool is_other = drawn && *drawn;
-  MIRRORBALL_TRY_VOID(state.tell(drawn ? Result<void>() : fail(std::move(drawn)), state.problems.frame));
-  return is_other;
+  return state.drawWanted();
+}
+
+bool Viewer::isWaiting() const {
+  const State& state = *state_;
+  const bool loads = state.model.task.isRunning() || state.light.task.isRunning() || state.preparing.isRunning();
+  return loads && !(state.begun && !state.has_changed && !state.view.isDone());
 }
 
 bool Viewer::isDone() const {
   const State& state = *state_;
-  if (state.model.task.isRunning() || state.light.task.isRunning() || state.moves()) return false;
-  if (!state.showsWhatIsAskedFor()) return false;
-  const bool can_draw = state.model.is_there && state.light.is_there && state.problems.frame.empty();
-  if (!can_draw) return true;
-  return !state.preparing.isRunning() && state.begun && *state.begun == state.wanted() && state.programs_left == 0 &&
+  if (state.has_just_moved || state.moves()) return false;
+  if (state.model.task.isRunning() || state.light.task.isRunning() || state.preparing.isRunning()) return false;
+  if (state.model.asked_for != state.now().model) return false;
+  if (state.light.asked_for != state.now().maps[state.now().shown_map]) return false;
+  if (!state.model.is_there || !state.light.is_there) return true;
+  if (!state.showsMaterials() && state.problems.model.empty()) return false;
+  const FrameSettings wanted = state.wanted();
+  if (state.failed == wanted) return true;
+  const bool shows_other = !state.problems.preparing.empty() && state.begun;  // since what is wanted cannot be prepared
+  return state.begun && (shows_other || *state.begun == wanted) && !state.has_changed && state.programs_left == 0 &&
          state.view.isDone();
 }
 
@@ -331,10 +375,10 @@ ViewerStatus Viewer::status() const {
                       .sample_s = state.sample_s,
                       .problem = state.problem()};
   if (state.model.task.isRunning()) {
-    status.loading = state.model.asked_for;
+    status.loading = *state.model.asked_for;
     status.loaded = state.model.task.share();
   } else if (state.light.task.isRunning()) {
-    status.loading = state.light.asked_for;
+    status.loading = *state.light.asked_for;
     status.loaded = state.light.task.share();
   } else if (state.preparing.isRunning()) {
     status.loading = "what frames need of the scene";
@@ -345,22 +389,25 @@ ViewerStatus Viewer::status() const {
 
 const Material* Viewer::selectedMaterial() const {
   const auto selected = state_->now().selected_material;
-  return selected && *selected < state_->loaded.materials.size() ? &state_->loaded.materials[*selected] : nullptr;
+  return selected && *selected < state_->optioned.materials.size() ? &state_->optioned.materials[*selected] : nullptr;
 }
 
 bool Viewer::hasPicture() const { return state_->on->picture.has_value(); }
 
-Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 size_px) const {
+Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
-  MIRRORBALL_TRY_VOID(state_->stage.device().state().context.enter());
+  const gl::Context& context = state_->stage.device().state().context;
+  MIRRORBALL_TRY_VOID(context.enter());
   const gl::Framebuffer& picture = *state_->on->picture;
-  picture.bind();
-  GLint name = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(name));
+  const glm::ivec2 end = corner + size_px;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT,
+  // The picture is encoded already.
+  const bool encodes = context.api() == gl::Api::desktop43;
+  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
+  glBlitFramebuffer(0, 0, picture.width(), picture.height(), corner.x, corner.y, end.x, end.y, GL_COLOR_BUFFER_BIT,
                     GL_LINEAR);
+  if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   return {};
 }

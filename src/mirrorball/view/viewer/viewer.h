@@ -49,31 +49,36 @@ class Viewer {
   /// Takes note of what a user does.
   void handle(const Event& event);
 
-  /// Lets time go on, and does the next piece of work: takes what was loaded, makes a program, or draws a sample.
+  /// Lets time go on, takes what was loaded, and does the next piece of work: makes a program, or draws a sample.
   ///
-  /// seconds  since the call before
+  /// seconds  since the call before, however long that is
   /// returns  whether there is another picture than before
   /// errors   no_gl. All else that fails is told in the status, and the picture before stays
-  /// cost     that of the piece
+  /// cost     that of the piece; a model that is being read does not stop when another is asked for, and the end of the
+  ///          viewer waits for it
   Result<bool> advance(double seconds);
 
-  /// Whether nothing is left to do: nothing is loaded, and the picture has all its samples.
+  /// Whether nothing is left to do until something else happens: nothing is loaded, and the picture has all its samples,
+  /// or the status says why not.
   bool isDone() const;
+  /// Whether all that is left goes on beside the viewer, so that a host may sleep a little before it asks again.
+  bool isWaiting() const;
 
   const Workspace& workspace() const;
   /// What was done; a change of it is seen with the next `advance`.
   History& history();
   ViewerStatus status() const;
-  /// The material that is selected, as it was loaded; null: none is.
+  /// The material that is selected, as panelsOf takes it; null: none is. Valid until the next `advance`.
   const Material* selectedMaterial() const;
 
   /// Whether there is a picture.
   bool hasPicture() const;
-  /// Draws the last picture over a framebuffer, stretched to its size.
+  /// Draws the last picture into a part of a framebuffer, stretched to its size.
   ///
-  /// framebuffer  OpenGL's name of it; 0 is a window's. It stays bound
+  /// framebuffer  OpenGL's name of it, of 8 bits a channel and one sample a pixel; 0 is a window's. It stays bound
+  /// corner       the lower left one of that part [pixels]
   /// errors       usage: there is no picture; no_gl
-  Result<void> show(unsigned framebuffer, glm::ivec2 size_px) const;
+  Result<void> show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const;
   /// The last picture: 4 channels, sRGB-encoded, row 0 at the top.
   ///
   /// errors   usage: there is none; no_gl

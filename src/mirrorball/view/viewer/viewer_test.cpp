@@ -1,5 +1,6 @@
 #include "mirrorball/view/viewer/viewer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/render_testing.h"
@@ -170,13 +172,96 @@ TEST_F(ViewerTest, FollowsTheSizeOfItsWindow) {
   }
 }
 
+TEST_F(ViewerTest, WhatIsMendedIsDrawnAgain) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  viewer.history().change("Camera", *withOption(viewer.workspace(), OptionTable::frame, "camera", "door"));
+  finish(viewer);
+  EXPECT_THAT(viewer.status().problem, HasSubstr("door"));
+  EXPECT_EQ(pictureOf(viewer), before);
+  viewer.history().undo();
+  EXPECT_FALSE(viewer.isDone());
+  finish(viewer);
+  EXPECT_TRUE(viewer.status().problem.empty());
+  EXPECT_EQ(pictureOf(viewer), before);
+}
+
+TEST_F(ViewerTest, AFirstLoadThatFailsIsToldAndMended) {
+  for (const bool is_model : {true, false}) {
+    Workspace wrong = *withOption(teapot(), OptionTable::material, "material", "gold");
+    if (is_model)
+      wrong.model = "nowhere.glb";
+    else
+      wrong.maps[0] = "nowhere.hdr";
+    Viewer viewer(device(), wrong, kSize);
+    viewer.handle(Scrolled{1.0f, {5, 5}});
+    EXPECT_EQ(viewer.workspace(), wrong) << "nothing is there to come nearer to";
+    finish(viewer);
+    EXPECT_THAT(viewer.status().problem, HasSubstr("nowhere."));
+    EXPECT_FALSE(viewer.hasPicture());
+    EXPECT_FALSE(viewer.picture());
+    viewer.history().change("Open", teapot());
+    finish(viewer);
+    EXPECT_TRUE(viewer.hasPicture());
+    EXPECT_TRUE(viewer.status().problem.empty());
+  }
+}
+
+TEST_F(ViewerTest, AHandThatHoldsStillSeesTheWholePicture) {
+  constexpr glm::ivec2 kWide{1400, 20};
+  Viewer viewer(device(), teapot(), kWide, {.frame_s = 1e-9});
+  finish(viewer);
+  EXPECT_EQ(viewer.status().size_px, kWide);
+  viewer.handle(PointerPressed{PointerButton::left, {20, 10}});
+  viewer.handle(PointerMoved{{25, 10}});
+  ASSERT_TRUE(viewer.advance(10.0)) << "the host has slept";
+  EXPECT_EQ(viewer.status().samples, 1);
+  finish(viewer);
+  EXPECT_EQ(viewer.status().samples, 4);
+  EXPECT_EQ(viewer.status().size_px, kWide);
+}
+
+TEST_F(ViewerTest, AKeyFliesNoFartherThanTimeWentOn) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  viewer.handle(KeyPressed{"W"});
+  ASSERT_TRUE(viewer.advance(100.0));
+  const CameraOptions flown = frameOf(viewer.workspace(), 0)->camera;
+  ASSERT_TRUE(flown.target);
+  EXPECT_LT(glm::length(*flown.target), 1.0f);
+  viewer.handle(KeyReleased{"W"});
+  viewer.handle(KeyPressed{"W"});
+  ASSERT_TRUE(viewer.advance(0.05));
+  viewer.handle(FocusLost{});
+  finish(viewer);
+  EXPECT_TRUE(viewer.history().undo());
+  EXPECT_EQ(frameOf(viewer.workspace(), 0)->camera, flown) << "the key was let go between";
+}
+
+TEST_F(ViewerTest, ShowsItsPictureInAPartOfAnyFramebuffer) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const Image8 picture = *viewer.picture();
+  for (const gl::Format format : {gl::Format::rgba8, gl::Format::srgb8_alpha8}) {
+    auto window = gl::Framebuffer::make(format, kSize.x + 7, kSize.y + 5);
+    ASSERT_TRUE(window);
+    ASSERT_TRUE(viewer.show(window->name(), {7, 5}, kSize));
+    const Image8 shown = window->readBytes();
+    for (int y = 0; y < kSize.y; ++y)
+      ASSERT_TRUE(std::equal(picture.texel(0, y), picture.texel(0, y) + 4 * kSize.x, shown.texel(7, y))) << "row " << y;
+    ASSERT_TRUE(viewer.show(window->name(), {0, 0}, kSize / 2));
+  }
+}
+
 TEST_F(ViewerTest, EndsWhileItLoads) {
   for (int steps = 0; steps < 4; ++steps) {
     Workspace big = teapot();
     big.maps = {"sunset"};
     Viewer viewer(device(), big, kSize);
     for (int step = 0; step < steps; ++step) ASSERT_TRUE(viewer.advance(0.01));
-    viewer.handle(KeyPressed{"F"});
+    EXPECT_FALSE(viewer.isDone());
+    EXPECT_EQ(viewer.isWaiting(), steps > 0);
   }
 }
 

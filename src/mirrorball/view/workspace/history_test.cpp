@@ -50,6 +50,17 @@ TEST(History, WhatAHandDoesIsOneStep) {
   EXPECT_EQ(history.now().model, "sphere");
 }
 
+TEST(History, AWayBackToItsStartIsNoStep) {
+  History history(ofModel("sphere"));
+  for (const char* model : {"a", "b", "sphere"}) history.change("Turn", ofModel(model), true);
+  EXPECT_TRUE(history.undoName().empty());
+  history.change("Turn", ofModel("a"), true);
+  history.change("Other", ofModel("a"));
+  history.change("Turn", ofModel("b"), true);
+  EXPECT_TRUE(history.undo());
+  EXPECT_EQ(history.now().model, "a") << "what changed nothing came between";
+}
+
 TEST(History, KeepsOnlyTheLastSteps) {
   History history;
   for (std::size_t i = 0; i <= History::kMostSteps; ++i) history.change("Open", ofModel(std::to_string(i).c_str()));
@@ -75,13 +86,14 @@ class RandomUser {
       case 3:
         return history.change("Next map", withMapStepped(now, int(below(5)) - 2));
       case 4:
+        if (below(4) == 0) return history.change("Open", withModel(now, "model" + std::to_string(below(3))));
         return history.change("Open", withMap(now, "map" + std::to_string(below(6)) + ".hdr"));
       case 5:
         return history.change("Turn", moved(now), true);
       case 6:
         return history.change("Compare", comparing(now));
       case 7:
-        return history.change("Reset", withoutGroup(now, groupOf(now)));
+        return history.change("Reset", below(10) == 0 ? withoutOptions(now) : withoutGroup(now, groupOf(now)));
       default:
         return setRow(history);
     }
@@ -119,7 +131,7 @@ class RandomUser {
 
   std::string_view groupOf(const Workspace& now) {
     const auto groups = *panelsOf(now);
-    return below(10) == 0 ? std::string_view() : groups[below(groups.size())].title;
+    return groups[below(groups.size())].title;
   }
 
   /// Sets a row as a panel does.
@@ -128,6 +140,8 @@ class RandomUser {
     const auto groups = *panelsOf(history.now(), &material);
     const PanelGroup& group = groups[below(groups.size())];
     const PanelRow& row = group.rows[below(group.rows.size())];
+    if (!row.texts.empty() && below(2) == 0)
+      return history.change("Remove", withoutText(history.now(), row.table, row.name, below(row.texts.size() + 1)));
     if (auto changed = withValue(history.now(), row, valueFor(row)))
       history.change(std::string(row.name), std::move(*changed), below(2) == 0);
   }

@@ -33,41 +33,64 @@ Result<void> assignAll(Table table, const GivenTexts& given, Target& target) {
 }
 
 /// Gives an option of a table another text, after trying it.
+///
+/// beneath   the option's texts where it is not in `given`
 template <typename Target, typename Table>
-Result<void> give(Table table, std::string_view name, std::string_view text, GivenTexts& given) {
+Result<void> give(Table table, std::string_view name, std::string_view text, const std::vector<std::string>& beneath,
+                  GivenTexts& given) {
   const auto* option = optionNamed(table, name);
   if (!option) return noOption(name);
   Target tried;
   MIRRORBALL_TRY_VOID(assign(*option, tried, text));
-  std::vector<std::string>& texts = given[std::string(name)];
+  std::vector<std::string>& texts = given.try_emplace(std::string(name), beneath).first->second;
   if (!option->mayRepeat()) texts.clear();
   texts.emplace_back(text);
   return {};
 }
 
-/// Of what a half does otherwise, those on top.
-GivenTexts together(GivenTexts beneath, const GivenTexts& on_top) {
-  for (const auto& [name, texts] : on_top) beneath[name] = texts;
-  return beneath;
+std::vector<std::string> textsOf(const GivenTexts& given, std::string_view name) {
+  const auto found = given.find(name);
+  return found == given.end() ? std::vector<std::string>() : found->second;
 }
 
 constexpr std::array<std::string_view, 5> kShared{"camera", "target", "fov", "orthographic", "size"};
 
-/// What the panels change.
+bool isComparing(const Workspace& workspace) { return workspace.compare_by != CompareBy::none; }
+
+/// Whether what is given goes to both halves.
+bool isOfBoth(const Workspace& workspace, std::string_view name) { return !isComparing(workspace) || isShared(name); }
+
 GivenTexts& editedFrame(Workspace& workspace, std::string_view name) {
-  const bool is_of_both = workspace.compare_by == CompareBy::none || isShared(name);
-  return is_of_both ? workspace.frame : workspace.sides[workspace.edited_side].frame;
+  return isOfBoth(workspace, name) ? workspace.frame : workspace.sides[editedSide(workspace)].frame;
 }
 
-Result<Workspace> withParameter(Workspace workspace, std::string_view name, std::string_view text) {
-  if (!workspace.selected_material) return fail(ErrorCode::usage, std::string(name) + ": no material is selected");
-  GivenTexts& given = workspace.parameters[*workspace.selected_material];
-  MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, given));
+/// What the panels change; null: no material is selected.
+GivenTexts* editedTexts(Workspace& workspace, OptionTable table, std::string_view name) {
+  if (table == OptionTable::frame) return &editedFrame(workspace, name);
+  if (table == OptionTable::material) return &workspace.materials;
+  return workspace.selected_material ? &workspace.parameters[*workspace.selected_material] : nullptr;
+}
+
+/// Without materials of which nothing is said.
+Workspace tidied(Workspace workspace) {
+  std::erase_if(workspace.parameters, [](const auto& each) { return each.second.empty(); });
+  return workspace;
+}
+
+Result<Workspace> withFrameOption(Workspace workspace, std::string_view name, std::string_view text) {
+  const std::vector<std::string> of_both =
+      isOfBoth(workspace, name) ? std::vector<std::string>() : textsOf(workspace.frame, name);
+  MIRRORBALL_TRY_VOID(give<FrameSettings>(frameOptions(), name, text, of_both, editedFrame(workspace, name)));
+  // A repeated one may be one too many.
+  for (std::size_t side = 0; side < workspace.sides.size(); ++side) {
+    const auto settings = frameOf(workspace, side);
+    if (!settings) return tl::unexpected<Error>(settings.error());
+  }
   return workspace;
 }
 
 Result<Workspace> withMaterialOption(Workspace workspace, std::string_view name, std::string_view text) {
-  MIRRORBALL_TRY_VOID(give<MaterialChanges>(materialOptions(), name, text, workspace.materials));
+  MIRRORBALL_TRY_VOID(give<MaterialChanges>(materialOptions(), name, text, {}, workspace.materials));
   MIRRORBALL_TRY(changes, materialsOf(workspace.materials));
   MIRRORBALL_TRY_VOID(checkChanges(changes));
   return workspace;
@@ -95,48 +118,74 @@ Result<void> setParameters(const GivenTexts& given, Material& material) {
   return assignAll(materialParameters(), given, material);
 }
 
-Result<FrameSettings> frameOf(const Workspace& workspace, std::size_t side) {
-  return frameOf(together(workspace.frame, workspace.sides[side].frame));
-}
-
 bool isShared(std::string_view frame_option) { return contains(kShared, frame_option); }
 
-Result<void> changeMaterials(Scene& scene, const Workspace& workspace) {
-  MIRRORBALL_TRY(changes, materialsOf(workspace.materials));
-  MIRRORBALL_TRY_VOID(changeMaterials(scene, changes));
-  for (const auto& [index, given] : workspace.parameters) {
-    if (index >= scene.materials.size())
-      return fail(ErrorCode::usage, "material " + std::to_string(index) + " of a scene of " +
-                                        counted(scene.materials.size(), "material"));
-    MIRRORBALL_TRY_VOID(setParameters(given, scene.materials[index]));
-  }
+std::size_t editedSide(const Workspace& workspace) { return isComparing(workspace) ? workspace.edited_side : 0; }
+
+GivenTexts givenFrame(const Workspace& workspace, std::size_t side) {
+  GivenTexts given = workspace.frame;
+  if (!isComparing(workspace)) return given;
+  for (const auto& [name, texts] : workspace.sides[side].frame) given[name] = texts;
+  return given;
+}
+
+Result<FrameSettings> frameOf(const Workspace& workspace, std::size_t side) {
+  return frameOf(givenFrame(workspace, side));
+}
+
+Result<void> changeParameters(Scene& scene, const Workspace& workspace) {
+  for (const auto& [index, given] : workspace.parameters)
+    if (index < scene.materials.size()) MIRRORBALL_TRY_VOID(setParameters(given, scene.materials[index]));
   return {};
 }
 
 Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string_view name, std::string_view text) {
-  if (table == OptionTable::parameter) return withParameter(std::move(workspace), name, text);
+  if (table == OptionTable::frame) return withFrameOption(std::move(workspace), name, text);
   if (table == OptionTable::material) return withMaterialOption(std::move(workspace), name, text);
-  MIRRORBALL_TRY_VOID(give<FrameSettings>(frameOptions(), name, text, editedFrame(workspace, name)));
-  // A repeated one may be one too many.
-  for (std::size_t side = 0; side < workspace.sides.size(); ++side) {
-    const auto settings = frameOf(workspace, side);
-    if (!settings) return tl::unexpected<Error>(settings.error());
-  }
+  GivenTexts* given = editedTexts(workspace, table, name);
+  if (!given) return fail(ErrorCode::usage, std::string(name) + ": no material is selected");
+  MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, {}, *given));
   return workspace;
 }
 
 Workspace withoutOption(Workspace workspace, OptionTable table, std::string_view name) {
-  if (table == OptionTable::frame) {
-    erase(editedFrame(workspace, name), name);
-  } else if (table == OptionTable::material) {
-    erase(workspace.materials, name);
-  } else if (workspace.selected_material) {
-    const auto of_material = workspace.parameters.find(*workspace.selected_material);
-    if (of_material == workspace.parameters.end()) return workspace;
-    erase(of_material->second, name);
-    if (of_material->second.empty()) workspace.parameters.erase(of_material);
-  }
+  if (GivenTexts* given = editedTexts(workspace, table, name)) erase(*given, name);
+  return tidied(std::move(workspace));
+}
+
+Workspace withoutText(Workspace workspace, OptionTable table, std::string_view name, std::size_t index) {
+  GivenTexts* given = editedTexts(workspace, table, name);
+  if (!given) return workspace;
+  const bool is_of_half = table == OptionTable::frame && !isOfBoth(workspace, name);
+  std::vector<std::string> texts = textsOf(is_of_half ? givenFrame(workspace, editedSide(workspace)) : *given, name);
+  if (index >= texts.size()) return tidied(std::move(workspace));
+  texts.erase(texts.begin() + static_cast<std::ptrdiff_t>(index));
+  // A half without texts has none of those that both have.
+  if (texts.empty() && !is_of_half)
+    erase(*given, name);
+  else
+    (*given)[std::string(name)] = std::move(texts);
+  return tidied(std::move(workspace));
+}
+
+Workspace withoutOptions(Workspace workspace) {
+  std::erase_if(workspace.frame, [](const auto& each) { return !isShared(each.first); });
+  workspace.materials.clear();
+  workspace.parameters.clear();
+  for (Side& side : workspace.sides) side.frame.clear();
   return workspace;
+}
+
+Workspace withModel(Workspace workspace, std::string name) {
+  workspace.model = std::move(name);
+  workspace.parameters.clear();
+  workspace.selected_material.reset();
+  erase(workspace.materials, "variant");
+  CameraOptions camera = frameOf(workspace.frame).value_or(FrameSettings()).camera;
+  camera.name.clear();
+  camera.distance.reset();
+  camera.target.reset();
+  return withCamera(std::move(workspace), camera);
 }
 
 Workspace withMapStepped(Workspace workspace, int by) {
@@ -183,7 +232,7 @@ Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {
   constexpr std::string_view kName = "env-rotation";
   GivenTexts& given = editedFrame(workspace, kName);
   const auto of_both = frameOf(workspace.frame);
-  giveAs(settings, kName, &given == &workspace.frame || !of_both ? FrameSettings() : *of_both, given);
+  giveAs(settings, kName, isOfBoth(workspace, kName) || !of_both ? FrameSettings() : *of_both, given);
   return workspace;
 }
 

@@ -18,12 +18,13 @@
 namespace mirrorball {
 
 /// Options that somebody has given, by name, each as it is written on a command line; one that may be repeated has
-/// several texts. What is not given is as the tables have it, or as the model needs it (fillIn).
+/// several texts. What is not given is as the tables have it.
 using GivenTexts = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-/// One of the two halves of a comparison: what it does otherwise than the picture, and in which light it stands.
+/// One of the two halves of a comparison: in what it differs from the options of both. Without a comparison it counts
+/// for nothing.
 struct Side {
-  GivenTexts frame = {};                ///< of frameOptions(), beside Workspace::frame; of the camera there are none
+  GivenTexts frame = {};  ///< of frameOptions(), in place of Workspace::frame's; an option without texts is not given
   std::optional<std::size_t> map = {};  ///< of Workspace::maps; nothing: the one that is shown
   bool is_traced = false;               ///< by the path tracer: the truth
 
@@ -39,7 +40,7 @@ enum class CompareBy {
   flip_error,  ///< what a viewer would see who flips: metric/flip
 };
 
-/// What a viewer shows, told in full: a value, which is kept, compared, undone and stored in a file. It holds names and
+/// All that says what a viewer shows: a value, which is kept, compared, undone and stored in a file. It holds names and
 /// texts, no pictures. Two that are equal show the same.
 struct Workspace {
   std::string model = "showcase";              ///< loadModel's
@@ -50,8 +51,8 @@ struct Workspace {
   std::map<std::size_t, GivenTexts> parameters = {};  ///< of materialParameters(), for materials of the scene
   std::array<Side, 2> sides = {};
   CompareBy compare_by = CompareBy::none;
-  float divider = 0.5f;         ///< of CompareBy::slider: the line's place, 0 … 1 of the width
-  std::size_t edited_side = 0;  ///< which of the halves the panels change; without a comparison both are one
+  float divider = 0.5f;                               ///< of CompareBy::slider: the line's place, 0 … 1 of the width
+  std::size_t edited_side = 0;                        ///< which of the halves the panels change, in a comparison
   std::optional<std::size_t> selected_material = {};  ///< of the scene
 
   bool operator==(const Workspace&) const = default;
@@ -74,29 +75,45 @@ Result<MaterialChanges> materialsOf(const GivenTexts& given);
 /// errors   as frameOf's
 Result<void> setParameters(const GivenTexts& given, Material& material);
 
-/// Changes a scene's materials as a workspace says: first all of them, then single ones.
-///
-/// scene    as it was loaded
-/// errors   usage: as changeMaterials'; a material that the scene has not
-Result<void> changeMaterials(Scene& scene, const Workspace& workspace);
+/// Whether an option is of both halves in any case: where the camera is, and how large the picture.
+bool isShared(std::string_view frame_option);
+
+/// The half that panels and hands change: 0 without a comparison.
+std::size_t editedSide(const Workspace& workspace);
+
+/// The options that a half is drawn with.
+GivenTexts givenFrame(const Workspace& workspace, std::size_t side);
 
 /// How a half is drawn.
 ///
 /// errors   as frameOf's
 Result<FrameSettings> frameOf(const Workspace& workspace, std::size_t side);
 
-/// Whether an option is of both halves whatever they do otherwise: where the camera is, and how large the picture.
-bool isShared(std::string_view frame_option);
+/// Changes single materials of a scene, after materialsOf(workspace.materials) has changed all of them. What is said of
+/// materials that the scene has not is left alone.
+///
+/// errors   usage
+Result<void> changeParameters(Scene& scene, const Workspace& workspace);
 
 // Changes. Each returns another workspace and leaves this one; what it refuses is told and changes nothing.
 
-/// Gives an option of a table.
+/// Gives an option of a table: of the half that is edited, or of the material that is selected. One that may be repeated
+/// gets one text more.
 ///
 /// text     as a command line has it
 /// errors   usage; also: no material is selected
 Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string_view name, std::string_view text);
-/// Leaves an option to its default; one that is not given stays so.
+/// Leaves an option to its default, in a comparison to what both halves have; one that is not given stays so.
 Workspace withoutOption(Workspace workspace, OptionTable table, std::string_view name);
+/// Takes one text of an option away, which may be repeated.
+///
+/// index    of its texts (givenFrame); one that there is not changes nothing
+Workspace withoutText(Workspace workspace, OptionTable table, std::string_view name, std::size_t index);
+/// Leaves all options to their defaults, in both halves and of all materials; only the camera stays.
+Workspace withoutOptions(Workspace workspace);
+
+/// Shows another model: what was said of single materials of the one before, and where its camera stood, is forgotten.
+Workspace withModel(Workspace workspace, std::string name);
 
 /// Shows the next panorama, or with −1 the one before; after the last comes the first.
 Workspace withMapStepped(Workspace workspace, int by);

@@ -20,6 +20,8 @@ using Json = nlohmann::ordered_json;
 // By CompareBy.
 constexpr std::array<std::string_view, 5> kCompareBy{"none", "slider", "flip", "difference", "flip-error"};
 
+constexpr std::size_t kVersion = 1;
+
 // More than a person makes; a file may say anything.
 constexpr std::size_t kMostTexts = 10000;
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
@@ -68,6 +70,8 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
   const JsonReader json(&document, "", problem);
   if (!json["mirrorball_workspace"].exists())
     return fail(ErrorCode::bad_file, "is no workspace: it has no key mirrorball_workspace");
+  if (json["mirrorball_workspace"].size(0) != kVersion)
+    return fail(ErrorCode::unsupported, "is a workspace of another version than " + std::to_string(kVersion));
   Workspace workspace;
   workspace.model = json["model"].text(workspace.model);
   if (json["maps"].exists()) {
@@ -79,11 +83,12 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
   workspace.frame = textsOf(json["frame"]);
   workspace.materials = textsOf(json["materials"]);
   for (const auto& [index, parameters] : json["parameters"].members()) {
-    const auto number = parseNumber(index);
-    if (!number || *number < 0 || *number != std::floor(*number) || *number > 1e9)
+    const auto number = parseNumber(index).value_or(-1.0);
+    const bool is_number = number >= 0.0 && number <= 1e9 && std::to_string(static_cast<std::size_t>(number)) == index;
+    if (!is_number)
       parameters.refuse("is no material's number");
     else
-      workspace.parameters[static_cast<std::size_t>(*number)] = textsOf(parameters);
+      workspace.parameters[static_cast<std::size_t>(number)] = textsOf(parameters);
   }
   const std::vector<JsonReader> sides = json["sides"].elements();
   for (std::size_t i = 0; i < std::min(sides.size(), workspace.sides.size()); ++i)
@@ -113,8 +118,9 @@ Result<void> checkWorkspace(const Workspace& workspace) {
       return fail(ErrorCode::bad_file, "sides[" + std::to_string(side) + "].map is none of its maps");
     for (const auto& [name, texts] : each.frame)
       if (isShared(name)) return fail(ErrorCode::bad_file, "sides: " + excerpt(name) + " is of both");
-    MIRRORBALL_TRY_VOID(frameOf(workspace, side));
+    MIRRORBALL_TRY_VOID(frameOf(each.frame));
   }
+  MIRRORBALL_TRY_VOID(frameOf(workspace.frame));
   MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
   Material tried;
   for (const auto& [material, given] : workspace.parameters) MIRRORBALL_TRY_VOID(setParameters(given, tried));
@@ -124,7 +130,7 @@ Result<void> checkWorkspace(const Workspace& workspace) {
 }  // namespace
 
 std::string writtenWorkspace(const Workspace& workspace) {
-  Json json{{"mirrorball_workspace", 1},
+  Json json{{"mirrorball_workspace", kVersion},
             {"model", workspace.model},
             {"maps", workspace.maps},
             {"shown_map", workspace.shown_map}};
@@ -155,8 +161,7 @@ Result<void> saveWorkspace(const std::string& path, const Workspace& workspace) 
 }
 
 Result<Workspace> loadWorkspace(const std::string& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
-  if (bytes.size() > kLargestFile) return fail(ErrorCode::too_large, path + ": is too large for a workspace");
+  MIRRORBALL_TRY(bytes, readFile(path, kLargestFile));
   return withName(path, readWorkspace({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
 }
 

@@ -80,12 +80,36 @@ TEST(Workspace, ChangesTheMaterialsOfAScene) {
   Workspace workspace = with({}, OptionTable::material, "material", "gold");
   workspace.selected_material = 0;
   workspace = with(workspace, OptionTable::parameter, "perceptual_roughness", "0.625");
+  workspace.parameters[7] = {{"metallic", {"0"}}};
   Scene scene = *loadModel("sphere");
-  ASSERT_TRUE(changeMaterials(scene, workspace));
+  ASSERT_TRUE(changeMaterials(scene, *materialsOf(workspace.materials)));
+  ASSERT_TRUE(changeParameters(scene, workspace)) << "there is no eighth, which is left alone";
   EXPECT_FLOAT_EQ(scene.materials[0].perceptual_roughness, 0.625f);
   EXPECT_FLOAT_EQ(scene.materials[0].metallic, 1.0f);
-  workspace.parameters[7] = {{"metallic", {"0"}}};
-  EXPECT_FALSE(changeMaterials(scene, workspace)) << "there is no eighth";
+}
+
+TEST(Workspace, AnotherModelStartsAnew) {
+  Workspace workspace = with({}, OptionTable::frame, "camera", "40,5,3");
+  workspace = with(workspace, OptionTable::frame, "target", "1,2,3");
+  workspace = with(workspace, OptionTable::frame, "exposure", "1");
+  workspace.selected_material = 2;
+  workspace = with(workspace, OptionTable::parameter, "metallic", "1");
+  workspace = withModel(workspace, "knot");
+  EXPECT_EQ(workspace.model, "knot");
+  EXPECT_TRUE(workspace.parameters.empty());
+  EXPECT_FALSE(workspace.selected_material);
+  EXPECT_FALSE(frameOf(workspace, 0)->camera.target || frameOf(workspace, 0)->camera.distance);
+  EXPECT_FLOAT_EQ(frameOf(workspace, 0)->camera.azimuth_deg, 40.0f) << "from the same side";
+  EXPECT_FLOAT_EQ(frameOf(workspace, 0)->display.exposure_ev, 1.0f);
+}
+
+TEST(Workspace, TheLightOfAHalfTurnsOnFromWhereItIs) {
+  Workspace workspace = with({}, OptionTable::frame, "env-rotation", "30");
+  workspace.compare_by = CompareBy::slider;
+  workspace.edited_side = 1;
+  workspace = withLightTurned(workspace, {0, 0, 0});
+  EXPECT_FLOAT_EQ(frameOf(workspace, 1)->env_rotation_deg.x, 0.0f) << "the default, which both halves have not";
+  EXPECT_FLOAT_EQ(frameOf(workspace, 0)->env_rotation_deg.x, 30.0f);
 }
 
 }  // namespace

@@ -17,9 +17,9 @@
 
 namespace mirrorball {
 
-/// Work that goes on beside its owner, who asks from time to time what has become of it: the last that was begun. Where
-/// there are no threads it is done when it is asked for. What does not stop when it is told to is waited for at the end,
-/// and where four such works go on still.
+/// Work that goes on beside its owner, who asks from time to time what has become of it: the last that was begun.
+/// Where there are no threads it is done when it is asked for. What does not stop when it is told to is waited for at
+/// the end, and where four such works go on still.
 template <typename Value>
 class BackgroundTask {
  public:

@@ -36,8 +36,8 @@ struct ViewerStatus {
 
 /// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it, and what
 /// a technique needs of a scene is found beside it; until that is there, the picture before stays. While something
-/// moves, pictures are as large as their time allows (TimeBudget), of one sample each; once it rests, all samples of the
-/// whole picture follow, one with each `advance`.
+/// moves, pictures are as large as their time allows (TimeBudget), of one sample each; once it rests, all samples of
+/// the whole picture follow, one with each `advance`.
 class Viewer {
  public:
   /// size_px   of the picture
@@ -58,8 +58,8 @@ class Viewer {
   ///          viewer waits for it
   Result<bool> advance(double seconds);
 
-  /// Whether nothing is left to do until something else happens: nothing is loaded, and the picture has all its samples,
-  /// or the status says why not.
+  /// Whether nothing is left to do until something else happens: nothing is loaded, and the picture has all its
+  /// samples, or the status says why not.
   bool isDone() const;
   /// Whether all that is left goes on beside the viewer, so that a host may sleep a little before it asks again.
   bool isWaiting() const;

@@ -97,8 +97,8 @@ Result<void> changeParameters(Scene& scene, const Workspace& workspace);
 
 // Changes. Each returns another workspace and leaves this one; what it refuses is told and changes nothing.
 
-/// Gives an option of a table: of the half that is edited, or of the material that is selected. One that may be repeated
-/// gets one text more.
+/// Gives an option of a table: of the half that is edited, or of the material that is selected. One that may be
+/// repeated gets one text more.
 ///
 /// text     as a command line has it
 /// errors   usage; also: no material is selected

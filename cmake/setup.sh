@@ -98,6 +98,8 @@ installMissing() {
     say "the packages could not be installed; run this as root, then start again: $command"
     exit 1
   fi
+  # CMake finds more now than when it looked before.
+  rm -f "$build/.configured"
 }
 
 # One build at a time in one folder; the lock ends with this process.

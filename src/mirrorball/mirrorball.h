@@ -60,6 +60,7 @@
 #include "mirrorball/view/panel/panel.h"
 #include "mirrorball/view/viewer/time_budget.h"
 #include "mirrorball/view/viewer/viewer.h"
+#include "mirrorball/view/workspace/arguments.h"
 #include "mirrorball/view/workspace/history.h"
 #include "mirrorball/view/workspace/workspace.h"
 #include "mirrorball/view/workspace/workspace_file.h"

@@ -155,7 +155,7 @@ void Viewer::State::load() {
     model.task.begin([name, inside_only = options.inside_only](const ProgressFunction& progress) {
       return loadedModel(name, inside_only, progress);
     });
-  if (const std::string& name = now().maps[now().shown_map]; std::exchange(light.asked_for, name) != name)
+  if (const std::string& name = mapOf(now(), 0); std::exchange(light.asked_for, name) != name)
     light.task.begin(
         [name, cache = options.cache](const ProgressFunction& progress) { return loadedLight(name, cache, progress); });
 }
@@ -352,7 +352,7 @@ bool Viewer::isDone() const {
   if (state.has_just_moved || state.moves()) return false;
   if (state.model.task.isRunning() || state.light.task.isRunning() || state.preparing.isRunning()) return false;
   if (state.model.asked_for != state.now().model) return false;
-  if (state.light.asked_for != state.now().maps[state.now().shown_map]) return false;
+  if (state.light.asked_for != mapOf(state.now(), 0)) return false;
   if (!state.model.is_there || !state.light.is_there) return true;
   if (!state.showsMaterials() && state.problems.model.empty()) return false;
   const FrameSettings wanted = state.wanted();
@@ -411,6 +411,8 @@ Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 si
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   return {};
 }
+
+Result<void> Viewer::leave() const { return state_->stage.device().leave(); }
 
 Result<Image8> Viewer::picture() const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");

@@ -79,6 +79,10 @@ class Viewer {
   /// corner       the lower left one of that part [pixels]
   /// errors       usage: there is no picture; no_gl
   Result<void> show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const;
+  /// Gives the context back to its host: Device::leave.
+  ///
+  /// errors   no_gl
+  Result<void> leave() const;
   /// The last picture: 4 channels, sRGB-encoded, row 0 at the top.
   ///
   /// errors   usage: there is none; no_gl

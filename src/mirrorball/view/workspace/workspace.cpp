@@ -202,6 +202,18 @@ Workspace withMap(Workspace workspace, std::string name) {
   return workspace;
 }
 
+Workspace withOnlyMap(Workspace workspace, std::string name) {
+  workspace.maps = {std::move(name)};
+  workspace.shown_map = 0;
+  for (Side& side : workspace.sides) side.map.reset();
+  return workspace;
+}
+
+const std::string& mapOf(const Workspace& workspace, std::size_t side) {
+  const bool is_own = isComparing(workspace) && workspace.sides[side].map;
+  return workspace.maps[is_own ? *workspace.sides[side].map : workspace.shown_map];
+}
+
 namespace {
 
 /// Gives an option the text that it has in some settings; what is so without it is no text.

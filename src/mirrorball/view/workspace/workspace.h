@@ -121,6 +121,12 @@ Workspace withMapStepped(Workspace workspace, int by);
 /// Adds a panorama behind the others, or finds it there, and shows it.
 Workspace withMap(Workspace workspace, std::string name);
 
+/// Has that panorama alone.
+Workspace withOnlyMap(Workspace workspace, std::string name);
+
+/// The panorama of a half.
+const std::string& mapOf(const Workspace& workspace, std::size_t side);
+
 /// Moves the camera of both halves.
 Workspace withCamera(Workspace workspace, const CameraOptions& camera);
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "mirrorball/view/viewer/viewer.h"
+
+namespace mirrorball::window {
+
+/// The viewer's panels as widgets of Dear ImGui: draws them, and makes the changes that are asked for.
+///
+/// search   what stands in the field that rows are found by
+void drawPanels(Viewer& viewer, std::string& search);
+
+/// The viewer's commands as menus, within a menu bar that has begun.
+void drawCommandMenus(Viewer& viewer);
+
+}  // namespace mirrorball::window

@@ -1,0 +1,139 @@
+#include "mirrorball/view/workspace/arguments.h"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/range.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/view/workspace/workspace_file.h"
+
+namespace mirrorball {
+namespace {
+
+// The options' own defaults, and nothing that a model asks for.
+const std::string kQuality = "draft";
+
+/// An option of a table, by either of its names.
+struct Known {
+  OptionTable table;
+  OptionText text;
+  bool is_flag;
+};
+
+std::optional<Known> optionNamed(std::string_view name) {
+  const auto is_it = [&](const OptionText& text) {
+    return text.name == name || (!text.also.empty() && text.also == name);
+  };
+  for (const auto& option : frameOptions())
+    if (is_it(option.text)) return Known{OptionTable::frame, option.text, option.isFlag()};
+  for (const auto& option : materialOptions())
+    if (is_it(option.text)) return Known{OptionTable::material, option.text, option.isFlag()};
+  return std::nullopt;
+}
+
+/// Words that are read one after the other.
+class Words {
+ public:
+  explicit Words(std::span<const std::string> words) : left_(words) {}
+
+  bool empty() const { return left_.empty(); }
+  const std::string& next() {
+    const std::string& word = left_.front();
+    left_ = left_.subspan(1);
+    return word;
+  }
+  /// The value of an option, which is the next word unless it stands in the same.
+  ///
+  /// errors   usage: there is none
+  Result<std::string> valueOf(std::string_view option, std::optional<std::string> in_same_word) {
+    if (in_same_word) return *in_same_word;
+    if (empty()) return fail(ErrorCode::usage, std::string(option) + " needs a value");
+    return next();
+  }
+
+ private:
+  std::span<const std::string> left_;
+};
+
+/// The first bytes of a file.
+///
+/// errors   as FileReader::open's
+Result<Bytes> beginOf(const std::string& path) {
+  MIRRORBALL_TRY(file, FileReader::open(path));
+  Bytes bytes(64);
+  MIRRORBALL_TRY(count, file.readAt(0, bytes));
+  bytes.resize(count);
+  return bytes;
+}
+
+Result<Workspace> withWord(Workspace workspace, const std::string& word, Words& words) {
+  if (word == "-e" || word == "--env") {
+    MIRRORBALL_TRY(map, words.valueOf(word, std::nullopt));
+    return withOnlyMap(std::move(workspace), std::move(map));
+  }
+  if (!word.starts_with("--")) return withFile(std::move(workspace), word);
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
+  if (name == "quality") {
+    const auto in_same_word = equals == std::string::npos ? std::nullopt : std::optional(word.substr(equals + 1));
+    MIRRORBALL_TRY(quality, words.valueOf(word, in_same_word));
+    if (quality == kQuality) return workspace;
+    return fail(ErrorCode::unsupported,
+                "--quality " + excerpt(quality) + ": a workspace shows " + kQuality + " so far");
+  }
+  const auto known = optionNamed(name);
+  if (!known) return fail(ErrorCode::usage, "there is no option --" + excerpt(name));
+  std::optional<std::string> value;
+  if (equals != std::string::npos) value = word.substr(equals + 1);
+  if (known->is_flag && !value) value = "yes";
+  MIRRORBALL_TRY(text, words.valueOf(word, std::move(value)));
+  return withOption(std::move(workspace), known->table, known->text.name, text);
+}
+
+void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
+  for (const auto& [name, texts] : given)
+    for (const std::string& text : texts) words.push_back("--" + name + "=" + text);
+}
+
+}  // namespace
+
+Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
+  Workspace workspace;
+  for (Words words(arguments); !words.empty();) {
+    const std::string& word = words.next();
+    MIRRORBALL_TRY(next, withWord(std::move(workspace), word, words));
+    workspace = std::move(next);
+  }
+  return workspace;
+}
+
+Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side) {
+  if (!workspace.parameters.empty())
+    return fail(ErrorCode::unsupported,
+                "single materials were changed, which no option of render says; save a workspace instead");
+  std::vector<std::string> words{workspace.model, "-e", mapOf(workspace, side)};
+  words.push_back("--quality=" + kQuality);
+  addOptions(givenFrame(workspace, side), words);
+  addOptions(workspace.materials, words);
+  return words;
+}
+
+Result<Workspace> withFile(Workspace workspace, const std::string& path) {
+  if (contains(builtinModelNames(), path)) return withModel(std::move(workspace), path);
+  const std::string_view name = std::string_view(path).substr(0, path.find(':'));
+  if (contains(builtinEnvironmentNames(), name)) return withMap(std::move(workspace), path);
+  if (modelFormatOf(path)) return withModel(std::move(workspace), path);
+  MIRRORBALL_TRY(begin, beginOf(path));
+  if (isImage(begin) || isImageSet(begin)) return withMap(std::move(workspace), path);
+  if (!begin.empty() && begin.front() == '{') return loadWorkspace(path);
+  return fail(ErrorCode::unsupported,
+              path + ": is no model (" + modelExtensions() + "), no picture of an environment and no workspace");
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/view/workspace/workspace.h"
+
+namespace mirrorball {
+
+/// A workspace of the words of a command line: files to open (withFile), `-e MAP`, `--quality draft`, and options of
+/// frameOptions() and materialOptions() as `render` takes them, `--name VALUE` or `--name=VALUE`.
+///
+/// errors   usage; as withFile's
+Result<Workspace> workspaceOf(std::span<const std::string> arguments);
+
+/// The words after `mirrorball render` that draw a half of it; workspaceOf() them shows the same.
+///
+/// errors   unsupported: single materials were changed, which no option says
+Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side);
+
+/// Opens a file as what it is: a model, a panorama or another map of all directions, or a workspace.
+///
+/// path     or the name of a built-in model or environment
+/// errors   not_found; unsupported: it is none of these; as loadWorkspace's
+Result<Workspace> withFile(Workspace workspace, const std::string& path);
+
+}  // namespace mirrorball

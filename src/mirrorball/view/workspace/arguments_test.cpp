@@ -1,0 +1,80 @@
+#include "mirrorball/view/workspace/arguments.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/view/workspace/workspace_file.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+Result<Workspace> read(const std::vector<std::string>& words) { return workspaceOf(words); }
+
+/// A file of the tests with a text.
+std::string fileWith(const char* name, const std::string& text) {
+  const std::string path = ::testing::TempDir() + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+TEST(Arguments, AreWordsOfRender) {
+  const Workspace workspace =
+      *read({"teapot", "-e", "sky:elevation=20", "--fov", "50", "--material=gold", "--self-reflection", "--rotate=40"});
+  EXPECT_EQ(workspace.model, "teapot");
+  EXPECT_EQ(workspace.maps, std::vector<std::string>{"sky:elevation=20"});
+  EXPECT_FLOAT_EQ(frameOf(workspace, 0)->camera.fov_deg, 50.0f);
+  EXPECT_TRUE(frameOf(workspace, 0)->self_reflection);
+  EXPECT_FLOAT_EQ(frameOf(workspace, 0)->env_rotation_deg.x, 40.0f);
+  EXPECT_EQ(materialsOf(workspace.materials)->material, "gold");
+  EXPECT_EQ(*read({}), Workspace());
+}
+
+TEST(Arguments, RefusesOthers) {
+  EXPECT_THAT(read({"--no-such"}).error().message, HasSubstr("--no-such"));
+  EXPECT_THAT(read({"--fov"}).error().message, HasSubstr("needs a value"));
+  EXPECT_THAT(read({"--fov", "wide"}).error().message, HasSubstr("fov"));
+  EXPECT_THAT(read({"nowhere.glb"}).error().message, HasSubstr("nowhere.glb"));
+  EXPECT_FALSE(read({"-e"}));
+  EXPECT_TRUE(read({"--quality", "draft"}));
+  EXPECT_FALSE(read({"--quality=best"}));
+}
+
+TEST(Arguments, SayAWorkspaceAgain) {
+  Workspace workspace = *read({"knot", "-e", "white", "--camera=10,20,3", "--light=1,2,3,4,5,6", "--light=2,2,3,4,5,6",
+                               "--set=metallic=1", "--background=#336699"});
+  const auto words = renderArguments(workspace, 0);
+  ASSERT_TRUE(words && read(*words));
+  EXPECT_EQ(*read(*words), workspace);
+  workspace.compare_by = CompareBy::slider;
+  workspace.edited_side = 1;
+  workspace = *withOption(workspace, OptionTable::frame, "blur", "mip");
+  EXPECT_EQ(*frameOf(*read(*renderArguments(workspace, 1)), 0), *frameOf(workspace, 1));
+  workspace.selected_material = 0;
+  workspace = *withOption(workspace, OptionTable::parameter, "metallic", "0.5");
+  EXPECT_FALSE(renderArguments(workspace, 0));
+}
+
+TEST(OpenedFile, IsTakenForWhatItIs) {
+  Image8 picture(4, 2, 3);
+  const std::string map = ::testing::TempDir() + "opened.png";
+  ASSERT_TRUE(savePicture(map, picture));
+  EXPECT_EQ(withFile({}, map)->maps.back(), map);
+  const std::string model = fileWith("opened.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(withFile({}, model)->model, model);
+  EXPECT_EQ(withFile({}, "studio")->shown_map, 0u);
+  EXPECT_EQ(withFile({}, "teapot")->model, "teapot");
+  Workspace saved;
+  saved.model = "torus";
+  EXPECT_EQ(*withFile({}, fileWith("opened.json", writtenWorkspace(saved))), saved);
+  EXPECT_FALSE(withFile({}, fileWith("opened.txt", "hello")));
+  EXPECT_FALSE(withFile({}, fileWith("opened_empty", "")));
+  EXPECT_FALSE(withFile({}, ::testing::TempDir() + "opened_nowhere.hdr"));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,108 @@
+// What somebody sees and does at the window.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "window/display.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class WindowTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* program : {"Xvfb", "openbox", "xdotool", "xwd"})
+      if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed";
+    display_ = std::make_unique<Display>();
+    ASSERT_TRUE(display_->isThere());
+  }
+
+  /// Opens a window, and waits until its picture is done.
+  void open(std::vector<std::string> words) {
+    words.insert(words.begin(), MIRRORBALL_VIEW);
+    view_ = std::make_unique<Process>(words, log_);
+    for (int tries = 0; tries < 600 && display_->hand("search --name ^Mirrorball$").empty(); ++tries) wait(0.1);
+    ASSERT_TRUE(view_->isRunning()) << textOf(log_);
+    settle();
+  }
+
+  static void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+  /// Waits until what is seen has not changed for a while.
+  void settle() {
+    Picture before;
+    int calm = 0;
+    for (int tries = 0; tries < 300 && calm < 5; ++tries) {
+      wait(0.3);
+      Picture now = picture();
+      calm = now == before ? calm + 1 : 0;
+      before = std::move(now);
+    }
+    EXPECT_GE(calm, 5) << "it never rests";
+  }
+
+  /// The middle of the picture, which neither menus nor panels cover.
+  using Picture = std::vector<std::uint8_t>;
+  Picture picture() const {
+    const Image8 all = display_->photograph();
+    Picture part;
+    for (int y = 150; y < 650 && y < all.height(); ++y)
+      part.insert(part.end(), all.texel(150, y), all.texel(150, y) + 3 * 1000);
+    return part;
+  }
+
+  std::string log_ = ::testing::TempDir() + "window.log";
+  std::unique_ptr<Display> display_;
+  std::unique_ptr<Process> view_;
+};
+
+TEST_F(WindowTest, AHandTurnsTheModelAndKeysUndoIt) {
+  open({"teapot", "-e", "studio", "--material", "gold", "--samples", "2"});
+  const Picture before = picture();
+  EXPECT_GT(*std::max_element(before.begin(), before.end()), 100) << "there is light";
+  display_->hand("mousemove 600 400 mousedown 1 mousemove 650 400 sleep 0.2 mousemove 720 430 sleep 0.2 mouseup 1");
+  settle();
+  const Picture turned = picture();
+  EXPECT_NE(turned, before);
+  display_->hand("key ctrl+z");
+  settle();
+  EXPECT_EQ(picture(), before) << "bit by bit";
+  display_->hand("key ctrl+shift+z");
+  settle();
+  EXPECT_EQ(picture(), turned);
+}
+
+TEST_F(WindowTest, ClosesByItsManager) {
+  open({"sphere", "-e", "white"});
+  display_->hand("search --name ^Mirrorball$ windowactivate --sync key alt+F4");
+  EXPECT_EQ(view_->waitFor(20.0), 0) << textOf(log_);
+}
+
+TEST_F(WindowTest, RefusesWhatItCannotOpenInOneLine) {
+  Process wrong({MIRRORBALL_VIEW, "nowhere.glb"}, log_);
+  EXPECT_EQ(wrong.waitFor(20.0), 1);
+  EXPECT_THAT(textOf(log_), HasSubstr("nowhere.glb"));
+  ::unsetenv("DISPLAY");
+  Process without({MIRRORBALL_VIEW, "sphere"}, log_);
+  EXPECT_EQ(without.waitFor(20.0), 1);
+  EXPECT_THAT(textOf(log_), HasSubstr("mirrorball render"));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -4,7 +4,7 @@
 #
 # Installs the packages of the groups given (packages.txt) that are missing, then configures one preset of
 # CMakePresets.json and builds it, or only the target given; for `packages` it only installs. Leaves the stamp
-# build/PRESET/.built when all was built. Exit code 0 or 1. Writes to stderr only: stdout belongs to the program that is
+# build/PRESET/.begun, of the time at which the build began. Exit code 0 or 1. Writes to stderr only: stdout belongs to the program that is
 # built.
 #
 #   MIRRORBALL_NO_INSTALL=1      installs nothing: prints the command, and builds if CMake finds all it needs
@@ -132,7 +132,6 @@ configureIfNeeded() {
 buildPreset() {
   begin=$(date +%s)
   # The stamp has the time at which the build began: a source saved meanwhile is newer than it.
-  rm -f "$build/.built"
   : >"$build/.begun"
   # Ninja's own choice, two more than there are cores, only makes compilers push each other out of the caches.
   export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
@@ -145,7 +144,6 @@ buildPreset() {
     say "the build failed; the compiler's messages are above"
     exit 1
   fi
-  if [ "${target:-all}" = all ]; then mv "$build/.begun" "$build/.built"; fi
   say "built in $(($(date +%s) - begin)) s"
 }
 

@@ -48,7 +48,8 @@ add_subdirectory(apps/cli)
 END
   cat >"$tree/apps/cli/CMakeLists.txt" <<'END'
 file(GLOB extra CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/room/*.cpp")
-add_executable(mirrorball main.cpp ${extra})
+add_executable(mirrorball_cli main.cpp ${extra})
+set_target_properties(mirrorball_cli PROPERTIES OUTPUT_NAME mirrorball)
 END
   writeProgram first
 }

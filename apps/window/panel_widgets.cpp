@@ -116,7 +116,7 @@ void drawPanels(Viewer& viewer, std::string& search) {
     return;
   }
   for (const PanelGroup& group : *groups) {
-    const std::string title = group.title.empty() ? "Material" : std::string(group.title);
+    const std::string title(group.title);
     if (!ImGui::CollapsingHeader(title.c_str())) continue;
     for (const PanelRow& row : group.rows) drawRow(viewer, row);
     if (ImGui::Button(("Reset " + title).c_str()))

@@ -45,6 +45,8 @@ class Gesture {
   /// Whether `handle` needs to know what is shown; else any ShownPicture does.
   bool asksForPicture(const Event& event) const;
 
+  /// Whether a key is held that flies, so that `advance` has something to do.
+  bool isFlying() const { return !flying_.empty(); }
   /// Whether something is held that moves the picture.
   bool isGoingOn() const { return held_.has_value() || !flying_.empty(); }
 

@@ -37,6 +37,11 @@ PanelRow rowOf(const Option<Target>& option, OptionTable table, const Values<Tar
   return row;
 }
 
+/// The heading of an option, which parameters of materials have not in their table.
+std::string_view titleOf(OptionTable table, const OptionText& text) {
+  return table == OptionTable::parameter ? "Selected material" : text.group;
+}
+
 void addRow(PanelRow row, std::string_view title, std::vector<PanelGroup>& groups) {
   auto group = std::find_if(groups.begin(), groups.end(), [&](const PanelGroup& each) { return each.title == title; });
   if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
@@ -82,7 +87,8 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
   MIRRORBALL_TRY_VOID(setParameters(given, changed));
   const Values<Material> of_material{std::move(changed), *selected, given};
   for (const Option<Material>& parameter : materialParameters())
-    addRow(rowOf(parameter, OptionTable::parameter, of_material), parameter.text.group, groups);
+    addRow(rowOf(parameter, OptionTable::parameter, of_material), titleOf(OptionTable::parameter, parameter.text),
+           groups);
   return groups;
 }
 
@@ -98,7 +104,8 @@ Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, con
 Workspace withoutGroup(Workspace workspace, std::string_view title) {
   const auto leave = [&](auto options, OptionTable table) {
     for (const auto& option : options)
-      if (option.text.group == title) workspace = withoutOption(std::move(workspace), table, option.text.name);
+      if (titleOf(table, option.text) == title)
+        workspace = withoutOption(std::move(workspace), table, option.text.name);
   };
   leave(frameOptions(), OptionTable::frame);
   leave(materialOptions(), OptionTable::material);

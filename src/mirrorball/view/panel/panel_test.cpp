@@ -34,6 +34,7 @@ TEST(Panel, HasEveryRowOfTheTablesOnce) {
   std::set<std::string_view> titles;
   for (const PanelGroup& group : groups) {
     EXPECT_TRUE(titles.insert(group.title).second) << group.title << " stands twice";
+    EXPECT_FALSE(group.title.empty());
     for (const PanelRow& row : group.rows) rows.emplace(row.table, row.name);
   }
   EXPECT_EQ(rows.size(), frameOptions().size() + materialOptions().size() + materialParameters().size());
@@ -72,6 +73,7 @@ TEST(Panel, ShowsWhatWasGivenAndResetsIt) {
     if (rowNamed({group}, "fov")) title = group.title;
   EXPECT_FALSE(rowNamed(*panelsOf(withoutGroup(workspace, title), &material), "fov")->is_given);
   EXPECT_TRUE(rowNamed(*panelsOf(withoutGroup(workspace, title), &material), "metallic")->is_given);
+  EXPECT_FALSE(rowNamed(*panelsOf(withoutGroup(workspace, "Selected material"), &material), "metallic")->is_given);
   EXPECT_EQ(*frameOf(withoutOptions(workspace), 0), *frameOf(*withOption({}, OptionTable::frame, "fov", "50"), 0));
   EXPECT_TRUE(withoutOptions(workspace).parameters.empty());
 }

@@ -328,7 +328,7 @@ void Viewer::handle(const Event& event) {
 Result<bool> Viewer::advance(double seconds) {
   State& state = *state_;
   constexpr double kMostFlown_s = 0.1;  // a host may have slept
-  if (state.gesture.isGoingOn())
+  if (state.gesture.isFlying())
     state.apply(state.gesture.advance(std::min(seconds, kMostFlown_s), state.now(), state.shown()));
   const bool moved = state.moves();
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);

@@ -142,7 +142,7 @@ std::optional<Hit> EmbreeTree::hit(glm::vec3 origin, glm::vec3 direction, float 
   rtcIntersect1(tree_, &query, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const glm::vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-  Hit hit{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, {ray.hit.u, ray.hit.v}, glm::normalize(normal)};
+  Hit hit{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, {ray.hit.u, ray.hit.v}, normalOfMet(normal, direction)};
   if (prisms_.contains(hit.instance)) hit.relief = query.relief;
   return hit;
 }

@@ -167,7 +167,7 @@ std::optional<Hit> OwnTree::hit(glm::vec3 origin, glm::vec3 direction, float nea
     } else if (const auto met = ray.meet(item.corners); met && met->distance > nearest && met->distance < farthest) {
       farthest = met->distance;
       const glm::vec3 across = glm::cross(item.corners[1] - item.corners[0], item.corners[2] - item.corners[0]);
-      best = Hit{farthest, item.instance, item.triangle, met->barycentric, glm::normalize(across), {}};
+      best = Hit{farthest, item.instance, item.triangle, met->barycentric, normalOfMet(across, direction), {}};
     }
   };
   struct Waiting {

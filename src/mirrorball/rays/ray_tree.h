@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +32,19 @@ class RayTree {
  protected:
   RayTree() = default;
 };
+
+/// The unit normal of a triangle that a ray has met. The square of what lies across a triangle of 10⁻¹⁰ is below the
+/// least float, and of a smaller one that itself: it then faces the ray.
+///
+/// across      the cross product of two edges, or what is left of it
+/// direction   unit
+inline glm::vec3 normalOfMet(glm::vec3 across, glm::vec3 direction) {
+  const float squared = glm::dot(across, across);
+  if (squared >= std::numeric_limits<float>::min() && squared <= std::numeric_limits<float>::max())
+    return glm::normalize(across);
+  const double length = glm::length(glm::dvec3(across));
+  return length > 0.0 && std::isfinite(length) ? glm::vec3(glm::dvec3(across) / length) : -direction;
+}
 
 /// Embree's (Wald et al. 2014).
 ///

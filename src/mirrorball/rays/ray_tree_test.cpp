@@ -141,6 +141,23 @@ TEST(RayTree, NoRaySlipsBetweenTriangles) {
   }
 }
 
+// The fuzzer `transfer` found infinite normals: the squares of such small areas are no floats.
+TEST(RayTree, TriangleOfAnySizeHasANormal) {
+  for (const RayTracer tracer : {RayTracer::own, fastestRayTracer()})
+    for (const float size : {1e-18f, 1e-14f, 1e-9f, 1.0f, 1e9f, 1e13f}) {
+      Scene scene = of("plane");
+      for (Instance& instance : scene.instances)
+        for (int axis = 0; axis < 3; ++axis) instance.world_from_object[axis] *= size;
+      const auto geometry = Geometry::make(scene, tracer);
+      ASSERT_TRUE(geometry);
+      const glm::vec3 towards = glm::normalize(glm::vec3(0.1f, -1.0f, 0.2f));
+      const auto hit = geometry->hit(-0.2f * size * towards, towards, 0.0f);
+      ASSERT_TRUE(hit) << size;
+      EXPECT_NEAR(glm::length(hit->geometric_normal), 1.0f, 1e-5f) << size;
+      EXPECT_LT(glm::dot(hit->geometric_normal, towards), -0.9f) << size;
+    }
+}
+
 TEST(RayTree, TakesWhatIsNotFiniteOrEmpty) {
   const auto nothing = Geometry::make({}, RayTracer::own);
   ASSERT_TRUE(nothing);

@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/mesh_file/corner_angle.h"
 #include "mirrorball/transfer/dense_model.h"
 #include "mirrorball/transfer/edge_padding.h"
 
@@ -33,8 +34,7 @@ struct SampleCounts {
 
 /// A unit vector along the first of two that has a direction.
 glm::vec3 directionOf(glm::vec3 sum, glm::vec3 otherwise) {
-  if (glm::dot(sum, sum) > 0.0f) return glm::normalize(sum);
-  return glm::dot(otherwise, otherwise) > 0.0f ? glm::normalize(otherwise) : glm::vec3(0.0f, 0.0f, 1.0f);
+  return unitOr(glm::dvec3(sum), unitOr(glm::dvec3(otherwise), glm::dvec3(0.0, 0.0, 1.0)));
 }
 
 void setTexel(Image& map, int x, int y, glm::vec3 value) {

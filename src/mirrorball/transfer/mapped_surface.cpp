@@ -7,6 +7,7 @@
 #include "formula/tangent.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/equal_vertices.h"
+#include "mirrorball/scene/mesh_file/corner_angle.h"
 
 namespace mirrorball {
 namespace {
@@ -23,17 +24,19 @@ std::vector<glm::vec3> meanNormals(const Mesh& mesh) {
   return normals;
 }
 
-bool isUsable(glm::vec3 v) { return glm::dot(v, v) > 0.0f && !glm::any(glm::isinf(v)); }
+/// In double precision, so that neither a tiny nor a huge sum has another length than 1.
+glm::vec3 unitOrElse(glm::dvec3 v, glm::vec3 otherwise) {
+  const bool is_finite = !glm::any(glm::isinf(v)) && !glm::any(glm::isnan(v));
+  return is_finite ? glm::vec3(unitOr(v, glm::dvec3(otherwise))) : otherwise;
+}
 
-glm::vec3 unitOrElse(glm::vec3 v, glm::vec3 otherwise) { return isUsable(v) ? glm::normalize(v) : otherwise; }
-
-/// Of an interpolated tangent and normal, which need be neither unit nor orthogonal.
+/// Of an interpolated tangent and a unit normal. The tangent may have any length and lie nearly along the normal, where
+/// a difference would keep but rounding; two cross products are at a right angle to it all the same.
 MapFrame frameOf(glm::vec4 tangent, glm::vec3 normal) {
   MapFrame frame;
   frame.normal = normal;
-  const glm::vec3 along(tangent);
-  const glm::vec3 across = along - normal * glm::dot(normal, along);
-  frame.tangent = unitOrElse(across, formula::anyTangent(normal));
+  const glm::dvec3 up(normal);
+  frame.tangent = unitOrElse(glm::cross(glm::cross(up, glm::dvec3(tangent)), up), formula::anyTangent(normal));
   frame.bitangent = glm::cross(normal, frame.tangent) * (tangent.w < 0.0f ? -1.0f : 1.0f);
   return frame;
 }
@@ -102,11 +105,11 @@ MappedPlace MappedSurface::at(const CoverSample& sample) const {
 
 glm::vec3 MappedSurface::objectNormal(std::uint32_t instance, glm::vec3 world) const {
   // The inverse of the inverse's transpose.
-  return unitOrElse(glm::transpose(glm::mat3(scene_->instances[instance].world_from_object)) * world, world);
+  return unitOrElse(glm::transpose(glm::dmat3(scene_->instances[instance].world_from_object)) * glm::dvec3(world), world);
 }
 
 glm::vec3 MappedSurface::worldNormal(std::uint32_t instance, glm::vec3 object) const {
-  return unitOrElse(world_from_normal_[instance] * object, glm::vec3(0.0f, 0.0f, 1.0f));
+  return unitOrElse(glm::dmat3(world_from_normal_[instance]) * glm::dvec3(object), glm::vec3(0.0f, 0.0f, 1.0f));
 }
 
 }  // namespace mirrorball

@@ -7,6 +7,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/mesh_file/corner_angle.h"
 #include "mirrorball/transfer/edge_padding.h"
 
 namespace mirrorball {
@@ -32,7 +33,7 @@ std::vector<std::uint32_t> frameSources(const std::vector<CoverSample>& samples,
 
 glm::vec3 turned(const MappedSurface& surface, const MappedPlace& place, NormalSpace to, glm::vec3 n) {
   if (to == NormalSpace::object) return surface.objectNormal(place.instance, place.frame.toWorld(n));
-  return glm::normalize(place.frame.toLocal(surface.worldNormal(place.instance, n)));
+  return place.frame.toLocal(surface.worldNormal(place.instance, n));
 }
 
 bool hasDirection(glm::vec3 n) { return glm::dot(n, n) > 0.0f && glm::dot(n, n) <= 1e30f; }
@@ -67,7 +68,7 @@ Result<Image> normalsInSpace(const Image& normals, const Scene& model, NormalSpa
     for (int y = int(begin); y < int(end); ++y)
       for (int x = 0; x < size.x; ++x) {
         const std::uint32_t source = sources[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
-        glm::vec3 n = glm::normalize(rgbAt(normals, x, y));
+        glm::vec3 n = unitOr(rgbAt(normals, x, y), glm::dvec3(0.0));  // checkNormals: it has a length
         if (source != EdgePadding::kNothing) n = turned(surface, surface.at(samples[source]), to, n);
         for (int channel = 0; channel < 3; ++channel) result.texel(x, y)[channel] = n[channel];
       }

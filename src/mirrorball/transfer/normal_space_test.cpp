@@ -59,6 +59,15 @@ TEST(NormalsInSpace, GoThereAndBack) {
   }
 }
 
+// Whose squares are below the least float, or nearly.
+TEST(NormalsInSpace, AreUnitVectorsOfTinyOnes) {
+  const Scene model = sceneOf(torusMesh(32, 16));
+  const auto object = normalsInSpace(constantNormals(8, 8, {1e-22f, 0.0f, 1e-22f}), model, NormalSpace::object);
+  ASSERT_TRUE(object) << object.error().message;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_NEAR(glm::length(rgbAt(*object, x, y)), 1.0f, 1e-5f);
+}
+
 // The frame is the one in which a surface is shaded.
 TEST(NormalsInSpace, AreWhatTheShadersMakeOfTheMap) {
   const Scene model = sceneOf(torusMesh(32, 16));

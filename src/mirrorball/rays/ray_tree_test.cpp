@@ -141,10 +141,10 @@ TEST(RayTree, NoRaySlipsBetweenTriangles) {
   }
 }
 
-// The fuzzer `transfer` found infinite normals: the squares of such small areas are no floats.
+// The fuzzer `transfer` found infinite normals: the squares of small areas are below the least float.
 TEST(RayTree, TriangleOfAnySizeHasANormal) {
   for (const RayTracer tracer : {RayTracer::own, fastestRayTracer()})
-    for (const float size : {1e-15f, 1e-12f, 1e-9f, 1.0f, 1e9f, 1e13f}) {
+    for (const float size : {1e-12f, 1e-9f, 1e-5f, 1.0f, 1e5f, 1e9f}) {
       Scene scene = of("plane");
       for (Instance& instance : scene.instances)
         for (int axis = 0; axis < 3; ++axis) instance.world_from_object[axis] *= size;
@@ -152,7 +152,7 @@ TEST(RayTree, TriangleOfAnySizeHasANormal) {
       ASSERT_TRUE(geometry);
       const glm::vec3 towards = glm::normalize(glm::vec3(0.1f, -1.0f, 0.2f));
       const auto hit = geometry->hit(-0.2f * size * towards, towards, 0.0f);
-      ASSERT_TRUE(hit) << size;
+      ASSERT_TRUE(hit) << int(tracer) << ", " << size;
       EXPECT_NEAR(glm::length(hit->geometric_normal), 1.0f, 1e-5f) << size;
       EXPECT_LT(glm::dot(hit->geometric_normal, towards), -0.9f) << size;
     }

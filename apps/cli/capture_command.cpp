@@ -157,7 +157,7 @@ Result<void> capture(const CaptureRequest& request) {
 
 Command captureCommand() {
   auto request = std::make_shared<CaptureRequest>();
-  request->scene.quality = Quality::good;
+  request->scene.wish.quality = Quality::good;
   Command command{
       .name = "capture",
       .help = "Makes an environment map of the light around a point in a scene",
@@ -168,7 +168,7 @@ Command captureCommand() {
                     "the same as a cube map for an engine"}}};
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
-  addOptions(command, qualityOptions(), request->scene, &request->given);
+  addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
   addOptions(command, captureFrameOptions(), request->look, &request->given);

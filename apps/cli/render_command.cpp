@@ -162,7 +162,7 @@ Result<void> render(const RenderRequest& request) {
 
 Command renderCommand() {
   auto request = std::make_shared<RenderRequest>();
-  request->scene.quality = Quality::good;
+  request->scene.wish.quality = Quality::good;
   Command command{
       .name = "render",
       .help = "Shows a model in an environment",
@@ -174,7 +174,7 @@ Command renderCommand() {
           {"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene, &request->given);
-  addOptions(command, qualityOptions(), request->scene, &request->given);
+  addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, animationOptions(), request->scene.animation);

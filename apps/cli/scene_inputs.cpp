@@ -60,21 +60,9 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
     {kMaxMemoryText, &SceneRequest::max_memory},
 });
 
-const auto kQualityOptions = std::to_array<Option<SceneRequest>>({
-    {{.name = "quality",
-      .choices = "draft|good|best",
-      .help = "how much the options that are not given do for the picture: draft is the fastest; good lets glass show "
-              "what is behind it, and objects hide and mirror each other, where the model has any of that; best also "
-              "takes more samples and traces through all glass",
-      .group = "Look",
-      .is_daily = true},
-     choiceField<&SceneRequest::quality>},
-});
-
 }  // namespace
 
 std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
-std::span<const Option<SceneRequest>> qualityOptions() { return kQualityOptions; }
 
 void addModel(Command& command, std::string_view name, SceneRequest& request) {
   addArgument(command,
@@ -136,7 +124,7 @@ Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& m
 
 namespace {
 
-std::string nameOf(Quality quality) { return written(kQualityOptions.front(), SceneRequest{.quality = quality}); }
+std::string nameOf(const QualityRequest& wish) { return written(qualityOptions().front(), wish); }
 
 }  // namespace
 
@@ -147,10 +135,10 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
     MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
     names.cache = std::move(of_user);
   }
-  names.wishes = TechniqueWishes{request.quality, given, request.objects_move};
+  names.wishes = TechniqueWishes{request.wish.quality, given, request.objects_move};
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
   if (inputs) look = inputs->frame;
-  if (inputs && !inputs->chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + inputs->chosen);
+  if (inputs && !inputs->chosen.empty()) remark("--quality " + nameOf(request.wish) + " chose " + inputs->chosen);
   return checkedInputs(std::move(inputs), request, outputs);
 }
 

@@ -20,8 +20,8 @@ struct SceneRequest {
   std::string from = {};
   AnimationChoice animation = {};
   UpAxis up = UpAxis::y;
-  Quality quality = Quality::draft;
-  bool objects_move = false;  ///< among each other, in a turntable
+  QualityRequest wish = {Quality::draft};  ///< of commands whose pictures are as good as that says
+  bool objects_move = false;               ///< among each other, in a turntable
   bool repair = false;
   bool inside_only = false;
   bool is_uncached = false;
@@ -31,9 +31,6 @@ struct SceneRequest {
 
 /// The table of them, but for the model.
 std::span<const Option<SceneRequest>> sceneOptions();
-
-/// --quality, for commands whose pictures are as good as that says.
-std::span<const Option<SceneRequest>> qualityOptions();
 
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);

@@ -92,10 +92,22 @@ class Desk {
     tell("copied");
   }
 
+  static void drawSide(const SideStatus& side) {
+    const glm::ivec2 size = side.size_px;
+    if (side.is_traced)
+      ImGui::Text("%d x %d, %d of %d paths, noise %.2g", size.x, size.y, side.samples, side.wanted_samples, side.noise);
+    else
+      ImGui::Text("%d x %d, %d of %d samples, %.0f ms", size.x, size.y, side.samples, side.wanted_samples,
+                  1e3 * side.sample_s);
+    if (side.light.reads > 0)
+      ImGui::Text("light: %d look-ups, %.1f MiB", side.light.reads,
+                  static_cast<double>(side.light.texture_bytes) / 1048576.0);
+  }
+
   void drawStatus(const Viewer& viewer) const {
     const ViewerStatus status = viewer.status();
-    ImGui::Text("%d x %d, %d of %d samples, %.0f ms", status.size_px.x, status.size_px.y, status.samples,
-                status.wanted_samples, 1e3 * status.sample_s);
+    for (const SideStatus& side : status.sides) drawSide(side);
+    for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());
     if (!status.loading.empty())
       ImGui::ProgressBar(static_cast<float>(status.loaded), {-1, 0}, ("loading " + status.loading).c_str());
     const std::string& line = status.problem.empty() ? told_ : status.problem;

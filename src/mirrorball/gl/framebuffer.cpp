@@ -110,4 +110,9 @@ Image8 Framebuffer::readBytes() const {
   return image;
 }
 
+void Framebuffer::upload(Image8 picture) {
+  flipRows(picture);
+  color_.upload(picture);
+}
+
 }  // namespace mirrorball::gl

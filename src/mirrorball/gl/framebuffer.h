@@ -53,6 +53,11 @@ class Framebuffer {
   /// The picture of an 8-bit format as its bytes: 4 channels, row 0 at the TOP.
   Image8 readBytes() const;
 
+  /// Replaces the picture of an 8-bit format by bytes as they are.
+  ///
+  /// picture   of its size, 3 or 4 channels, row 0 at the TOP
+  void upload(Image8 picture);
+
  private:
   static void destroyFramebuffer(unsigned name);
   void attachDepths(const Texture* depths) const;

@@ -159,6 +159,8 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   const auto samplesOf = [&] { return static_cast<int>((film.paths() + pixels / 2) / pixels); };
   const auto goesOn = [&] {
     if (observer.pass) observer.pass(samplesOf(), film.noise(settings.display));
+    if (observer.picture)
+      observer.picture({.radiance = film.radiance(), .samples = samplesOf(), .noise = film.noise(settings.display)});
     const std::chrono::duration<float> elapsed = std::chrono::steady_clock::now() - start;
     return settings.time_s == 0.0f || elapsed.count() < settings.time_s;
   };

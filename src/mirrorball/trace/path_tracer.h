@@ -43,6 +43,8 @@ struct TraceObserver {
   ProgressFunction progress = {};
   /// Of each whole pass, with TracedPicture's `samples` and `noise` up to then, which takes the time to compute it.
   std::function<void(int samples, float noise)> pass = {};
+  /// Of the picture after each whole pass, which takes the time to compute it; without layers.
+  std::function<void(TracedPicture so_far)> picture = {};
 };
 
 /// A map of all directions as far as it has come.

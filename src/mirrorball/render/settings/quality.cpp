@@ -40,6 +40,17 @@ constexpr auto kChoices = std::to_array<QualityChoice>({
     {.option = "samples", .values = {"", "", "16"}, .suits = always},
 });
 
+const auto kQualityOptions = std::to_array<Option<QualityRequest>>({
+    {{.name = "quality",
+      .choices = "draft|good|best",
+      .help = "how much the options that are not given do for the picture: draft is the fastest; good lets glass show "
+              "what is behind it, and objects hide and mirror each other, where the model has any of that; best also "
+              "takes more samples and traces through all glass",
+      .group = "Look",
+      .is_daily = true},
+     choiceField<&QualityRequest::quality>},
+});
+
 bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::string_view>& given) {
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return given.contains(name); });
 }
@@ -51,6 +62,8 @@ std::string asGiven(const Option<FrameSettings>& option, std::string_view value)
 }
 
 }  // namespace
+
+std::span<const Option<QualityRequest>> qualityOptions() { return kQualityOptions; }
 
 SceneTraits traitsOf(const Scene& scene) {
   SceneTraits traits{.has_objects = scene.instances.size() > 1};

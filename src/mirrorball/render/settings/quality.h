@@ -15,6 +15,14 @@ namespace mirrorball {
 /// How much time a picture may take for what it shows.
 enum class Quality { draft, good, best };
 
+/// What somebody asks for.
+struct QualityRequest {
+  Quality quality = Quality::good;
+};
+
+/// The table of one row that sets it.
+std::span<const Option<QualityRequest>> qualityOptions();
+
 /// What of a scene says which techniques its picture needs.
 struct SceneTraits {
   bool lets_light_through = false;

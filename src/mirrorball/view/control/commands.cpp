@@ -58,13 +58,8 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
        next.edited_side = 1 - next.edited_side;
        history.change("Edit the other half", std::move(next));
      }},
-    {"trace", "Trace paths: the truth", "Compare", "T", "",
-     [](History& history) {
-       Workspace next = history.now();
-       Side& side = next.sides[editedSide(next)];
-       side.is_traced = !side.is_traced;
-       history.change("Trace paths", std::move(next));
-     }},
+    {"truth", "The truth, and back", "Compare", "T", "",
+     [](History& history) { history.change("Compare with the truth", withTruth(history.now())); }},
 });
 
 }  // namespace

@@ -22,6 +22,10 @@ constexpr std::array<FlyingKey, 6> kFlyingKeys{FlyingKey{"W", {0, 0, 1}},  Flyin
                                                FlyingKey{"A", {-1, 0, 0}}, FlyingKey{"D", {1, 0, 0}},
                                                FlyingKey{"E", {0, 1, 0}},  FlyingKey{"Q", {0, -1, 0}}};
 
+// A hand that clicks may tremble so far, and a line is met so far from it [pixels].
+constexpr float kTremble_px = 3.0f;
+constexpr float kOfLine_px = 8.0f;
+
 bool isFlyingKey(std::string_view key) {
   return std::any_of(kFlyingKeys.begin(), kFlyingKeys.end(), [&](const FlyingKey& each) { return each.key == key; });
 }
@@ -37,7 +41,7 @@ std::string chordOf(const KeyPressed& pressed) {
          (pressed.held.shift ? "Shift+" : "") + pressed.key;
 }
 
-Gesture::Kind Gesture::kindOf(const PointerPressed& pressed) {
+Gesture::Kind Gesture::kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown) {
   switch (pressed.button) {
     case PointerButton::middle:
       return Kind::pan;
@@ -47,10 +51,15 @@ Gesture::Kind Gesture::kindOf(const PointerPressed& pressed) {
       break;
   }
   if (pressed.held.shift) return Kind::pan;
+  const float line_px = now.divider * static_cast<float>(shown.size_px.x);
+  if (now.compare_by == CompareBy::slider && std::abs(pressed.place_px.x - line_px) <= kOfLine_px) return Kind::divide;
   return pressed.held.control ? Kind::look_around : Kind::orbit;
 }
 
 std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown) {
+  held_->has_moved = held_->has_moved || glm::distance(to_px, held_->begin_px) > kTremble_px;
+  // Else a click would turn the model a little.
+  if (!held_->has_moved) return std::nullopt;
   const glm::vec2 by_px = to_px - std::exchange(held_->place_px, to_px);
   const CameraOptions& camera = shown.camera;
   switch (held_->kind) {
@@ -67,6 +76,11 @@ std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const
       return cameraChange("Zoom", now,
                           zoomed(camera, shown.bounds, std::pow(kNearerForNotch, notches), middle, shown.size_px));
     }
+    case Kind::divide: {
+      Workspace next = now;
+      next.divider = std::clamp(to_px.x / static_cast<float>(std::max(shown.size_px.x, 1)), 0.0f, 1.0f);
+      return Change{"Move the line", std::move(next), true};
+    }
     case Kind::turn_light:
       break;
   }
@@ -74,17 +88,20 @@ std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const
                 true};
 }
 
-bool Gesture::asksForPicture(const Event& event) const {
+bool Gesture::asksForPicture(const Event& event, const Workspace& now) const {
+  if (now.compare_by == CompareBy::slider && std::holds_alternative<PointerPressed>(event)) return true;
   return std::holds_alternative<Scrolled>(event) || (held_ && std::holds_alternative<PointerMoved>(event));
 }
 
 std::optional<Change> Gesture::handle(const Event& event, const Workspace& now, const ShownPicture& shown) {
   if (const auto* pressed = std::get_if<PointerPressed>(&event)) {
-    if (!held_) held_ = Held{pressed->button, kindOf(*pressed), pressed->place_px};
+    if (!held_) held_ = Held{pressed->button, kindOf(*pressed, now, shown), pressed->place_px, pressed->place_px};
   } else if (const auto* moved = std::get_if<PointerMoved>(&event)) {
     if (held_) return drag(moved->place_px, now, shown);
   } else if (const auto* released = std::get_if<PointerReleased>(&event)) {
-    if (held_ && held_->button == released->button) held_.reset();
+    if (!held_ || held_->button != released->button) return std::nullopt;
+    if (held_->kind == Kind::orbit && !held_->has_moved) click_px_ = held_->begin_px;
+    held_.reset();
   } else if (const auto* scrolled = std::get_if<Scrolled>(&event)) {
     return cameraChange("Zoom", now,
                         zoomed(shown.camera, shown.bounds, std::pow(kNearerForNotch, scrolled->notches),

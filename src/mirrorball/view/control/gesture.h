@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <glm/glm.hpp>
 
@@ -33,6 +34,7 @@ struct ShownPicture {
 /// - the middle button shifts the picture;
 /// - the right button comes nearer; with Shift it turns the light;
 /// - the wheel comes nearer to what is under the pointer;
+/// - in a comparison side by side the left button moves the line between both, if it is pressed there;
 /// - W A S D fly ahead, to the left, back and to the right, E and Q up and down.
 class Gesture {
  public:
@@ -43,7 +45,10 @@ class Gesture {
   std::optional<Change> advance(double seconds, const Workspace& now, const ShownPicture& shown) const;
 
   /// Whether `handle` needs to know what is shown; else any ShownPicture does.
-  bool asksForPicture(const Event& event) const;
+  bool asksForPicture(const Event& event, const Workspace& now) const;
+
+  /// Where the left button was pressed and let go without a move since it was last asked [pixels].
+  std::optional<glm::vec2> takeClick() { return std::exchange(click_px_, std::nullopt); }
 
   /// Whether a key is held that flies, so that `advance` has something to do.
   bool isFlying() const { return !flying_.empty(); }
@@ -51,16 +56,19 @@ class Gesture {
   bool isGoingOn() const { return held_.has_value() || !flying_.empty(); }
 
  private:
-  enum class Kind { orbit, pan, look_around, approach, turn_light };
+  enum class Kind { orbit, pan, look_around, approach, turn_light, divide };
   struct Held {
     PointerButton button;
     Kind kind;
     glm::vec2 place_px;
+    glm::vec2 begin_px;
+    bool has_moved = false;
   };
-  static Kind kindOf(const PointerPressed& pressed);
+  static Kind kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown);
   std::optional<Change> drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown);
 
   std::optional<Held> held_;
+  std::optional<glm::vec2> click_px_;
   std::set<std::string, std::less<>> flying_;  ///< keys
 };
 

@@ -77,6 +77,16 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
   for (const auto& option : frameOptions())
     addRow(rowOf(option, OptionTable::frame, is_comparing && !isShared(option.text.name) ? of_half : shared),
            option.text.group, groups);
+  const auto wish = [](const GivenTexts& given) -> Result<QualityRequest> {
+    MIRRORBALL_TRY(quality, qualityOf(given));
+    return QualityRequest{quality};
+  };
+  MIRRORBALL_TRY(wished, wish(givenFrame(workspace, side)));
+  MIRRORBALL_TRY(wished_of_both, wish(workspace.frame));
+  const Values<QualityRequest> of_wish{wished, is_comparing ? wished_of_both : QualityRequest(),
+                                       is_comparing ? workspace.sides[side].frame : workspace.frame};
+  for (const auto& option : qualityOptions())
+    addRow(rowOf(option, OptionTable::frame, of_wish), option.text.group, groups);
   const Values<MaterialChanges> of_model{materials, MaterialChanges(), workspace.materials};
   for (const auto& option : materialOptions())
     addRow(rowOf(option, OptionTable::material, of_model), option.text.group, groups);
@@ -93,7 +103,9 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
 }
 
 Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, const ControlValue& value) {
-  const auto text = row.table == OptionTable::frame      ? textOf<FrameSettings>(frameOptions(), row.name, value)
+  const bool is_of_quality = row.name == qualityOptions().front().text.name;
+  const auto text = is_of_quality                        ? textOf<QualityRequest>(qualityOptions(), row.name, value)
+                    : row.table == OptionTable::frame    ? textOf<FrameSettings>(frameOptions(), row.name, value)
                     : row.table == OptionTable::material ? textOf<MaterialChanges>(materialOptions(), row.name, value)
                                                          : textOf<Material>(materialParameters(), row.name, value);
   if (!text) return tl::unexpected<Error>(text.error());
@@ -108,6 +120,7 @@ Workspace withoutGroup(Workspace workspace, std::string_view title) {
         workspace = withoutOption(std::move(workspace), table, option.text.name);
   };
   leave(frameOptions(), OptionTable::frame);
+  leave(qualityOptions(), OptionTable::frame);
   leave(materialOptions(), OptionTable::material);
   leave(materialParameters(), OptionTable::parameter);
   return workspace;

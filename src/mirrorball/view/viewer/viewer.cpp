@@ -1,21 +1,14 @@
 #include "mirrorball/view/viewer/viewer.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <utility>
 
-#include "mirrorball/environment/file/load.h"
-#include "mirrorball/gl/framebuffer.h"
-#include "mirrorball/gl/gl_api.h"
-#include "mirrorball/render/frame/view.h"
-#include "mirrorball/render/stage/device_state.h"
-#include "mirrorball/render/surface/map_levels.h"
-#include "mirrorball/scene/load_model.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/view/control/camera_control.h"
 #include "mirrorball/view/control/commands.h"
-#include "mirrorball/view/control/gesture.h"
-#include "mirrorball/view/viewer/background_task.h"
-#include "mirrorball/view/viewer/time_budget.h"
+#include "mirrorball/view/viewer/told.h"
+#include "mirrorball/view/viewer/viewer_state.h"
 
 namespace mirrorball {
 namespace {
@@ -25,113 +18,24 @@ constexpr double kRest_s = 0.15;
 
 }  // namespace
 
-// What is loaded, and who shows it.
-struct ViewedModel {
-  Scene scene;
-  LevelsOfMaps levels;
-};
+Viewer::State::State(const Device& on, Workspace start, glm::ivec2 size, ViewerOptions given)
+    : device(on),
+      options(std::move(given)),
+      history(std::move(start)),
+      size_px(size),
+      since_moved_s(kRest_s),
+      stages{std::make_unique<LitStage>(on), std::make_unique<LitStage>(on)},
+      drawn{DrawnSide(on, options.frame_s), DrawnSide(on, options.frame_s)},
+      traced{TracedSide(on), TracedSide(on)},
+      compared(on) {}
 
-struct ViewedLight {
-  Environment environment;
-  PreparedEnvironment prepared;
-};
-
-struct Viewer::State {
-  /// Something with a name that is loaded beside the viewer when another name is asked for.
-  template <typename Value>
-  struct Loading {
-    BackgroundTask<Value> task;
-    std::optional<std::string> asked_for = {};  ///< last
-    bool is_there = false;                      ///< something of the kind
-  };
-
-  State(const Device& device, Workspace start, glm::ivec2 size, ViewerOptions given)
-      : stage(device),
-        view(stage),
-        history(std::move(start)),
-        budget(given.frame_s),
-        size_px(size),
-        options(std::move(given)) {}
-
-  const Workspace& now() const { return history.now(); }
-  /// The first there is.
-  const std::string& problem() const {
-    for (const std::string* each : {&problems.model, &problems.light, &problems.materials, &problems.preparing})
-      if (!each->empty()) return *each;
-    return problems.frame;
-  }
-  ShownPicture shown() const;
-  void apply(std::optional<Change> change);
-  void load();
-  Result<void> takeModel();
-  Result<void> takeLight();
-  Result<void> changeScene();
-  Result<void> changeMaterialsOfStage(bool has_other_options);
-  bool moves() const { return since_moved_s < kRest_s; }
-  FrameSettings wanted() const;
-  Result<std::optional<FrameSettings>> prepared(const FrameSettings& wanted);
-  Result<bool> draw(const FrameSettings& frame);
-  Result<bool> drawWanted();
-  Result<void> keepPicture();
-  bool showsMaterials() const;
-  /// Tells what fails in a line of `problems`, which is empty where it does not; but a driver that is gone ends all.
-  Result<void> tell(Result<void> result, std::string& problem);
-
-  Stage stage;
-  View view;
-  History history;
-  Gesture gesture = {};
-  TimeBudget budget;
-  glm::ivec2 size_px;
-  ViewerOptions options;
-  Loading<ViewedModel> model = {};
-  Loading<ViewedLight> light = {};
-  BackgroundTask<std::shared_ptr<StageWork>> preparing = {};  ///< of the stage, for another technique
-  FrameSettings prepared_for = {};                            ///< last
-  bool has_changed = true;                                    ///< the stage, since a frame has begun
-  Scene loaded = {};                                          ///< as the file has it
-  Scene optioned = {};                                        ///< that, as Workspace::materials says
-  /// Whose materials the stage shows; nothing: those of the file.
-  std::optional<Workspace> changed_for = {};
-  std::optional<FrameSettings> begun = {};   ///< of the frame that is drawn
-  std::optional<FrameSettings> failed = {};  ///< what could not be drawn; problems.frame says why
-  int programs_left = 0;
-  double since_moved_s = kRest_s;
-  bool has_just_moved = false;  ///< since the last `advance`
-  double sample_s = 0.0;
-  int samples_shown = 0;
-  struct {
-    std::string model, light, materials, preparing, frame;
-  } problems = {};
-  struct OnDevice {
-    Device device;  ///< outlives all else
-    std::optional<gl::Framebuffer> picture = {};
-  };
-  std::unique_ptr<OnDevice, EndOnDevice> on{new OnDevice{stage.device()}};
-};
-
-namespace {
-
-Result<ViewedModel> loadedModel(const std::string& name, bool inside_only, const ProgressFunction& progress) {
-  MIRRORBALL_TRY(scene, loadModel(name, {.inside_only = inside_only}));
-  MIRRORBALL_TRY(levels, makeMapLevels(scene, progress));
-  return ViewedModel{std::move(scene), std::move(levels)};
-}
-
-Result<ViewedLight> loadedLight(const std::string& name, const std::optional<CacheFolder>& cache,
-                                const ProgressFunction& progress) {
-  MIRRORBALL_TRY(loaded, loadEnvironment(name, {}, progress));
-  if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
-  MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
-  return ViewedLight{std::move(loaded.environment), std::move(prepared)};
-}
-
-}  // namespace
+bool Viewer::State::moves() const { return since_moved_s < kRest_s; }
 
 ShownPicture Viewer::State::shown() const {
   FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
   standOnGround(frame);
   const float aspect = static_cast<float>(size_px.x) / static_cast<float>(size_px.y);
+  const Stage& stage = stages[0]->stage();
   return {.camera = placedCamera(stage.scene(), stage.bounds(), frame.camera, aspect),
           .bounds = stage.bounds(),
           .size_px = size_px,
@@ -144,163 +48,40 @@ void Viewer::State::apply(std::optional<Change> change) {
   history.change(std::move(change->name), std::move(change->next), change->goes_on);
 }
 
-Result<void> Viewer::State::tell(Result<void> result, std::string& problem) {
-  if (!result && result.error().code == ErrorCode::no_gl) return result;
-  problem = result ? std::string() : std::move(result).error().message;
+/// Selects the material of what a click has met, once that is known.
+Result<void> Viewer::State::takeClick() {
+  if (!clicked_px || moves()) return {};
+  const std::size_t side = seenSides().front();
+  auto picked = drawn[side].pick(stageOf(side), *clicked_px);
+  if (picked && !*picked) return {};
+  clicked_px.reset();
+  if (!picked) return tell(fail(std::move(picked)), problem_of_picking);
+  problem_of_picking.clear();
+  Workspace next = now();
+  next.selected_material.reset();
+  if (const std::optional<Picked>& met = **picked) next.selected_material = met->material;
+  history.change("Select a material", std::move(next));
   return {};
 }
 
-void Viewer::State::load() {
-  if (const std::string& name = now().model; std::exchange(model.asked_for, name) != name)
-    model.task.begin([name, inside_only = options.inside_only](const ProgressFunction& progress) {
-      return loadedModel(name, inside_only, progress);
-    });
-  if (const std::string& name = mapOf(now(), 0); std::exchange(light.asked_for, name) != name)
-    light.task.begin(
-        [name, cache = options.cache](const ProgressFunction& progress) { return loadedLight(name, cache, progress); });
+Result<void> Viewer::State::follow() {
+  if (model.follow(now(), options.inside_only))
+    for (DrawnSide& side : drawn) side.forgetTimes();
+  const bool has_other_map = isComparing() && mapOf(now(), 1) != mapOf(now(), 0);
+  MIRRORBALL_TRY_VOID(stages[0]->follow(model, mapOf(now(), 0), options.cache));
+  return has_other_map ? stages[1]->follow(model, mapOf(now(), 1), options.cache) : Result<void>();
 }
 
-Result<void> Viewer::State::takeModel() {
-  auto ready = model.task.take();
-  if (!ready) return {};
-  if (!*ready) return tell(fail(std::move(*ready)), problems.model);
-  const auto is_set = stage.setScene((*ready)->scene, (*ready)->levels);
-  if (!is_set) return tell(is_set, problems.model);
-  loaded = optioned = std::move((*ready)->scene);
-  changed_for.reset();
-  problems.model.clear();
-  problems.materials.clear();
-  budget.forget();
-  model.is_there = has_changed = true;
-  return {};
+LitStage& Viewer::State::stageOf(std::size_t side) const {
+  const bool has_own_map = side == 1 && isComparing() && mapOf(now(), 1) != mapOf(now(), 0);
+  return *stages[has_own_map ? 1 : 0];
 }
 
-Result<void> Viewer::State::takeLight() {
-  auto ready = light.task.take();
-  if (!ready) return {};
-  if (!*ready) return tell(fail(std::move(*ready)), problems.light);
-  light.is_there = has_changed = true;
-  return tell(stage.setEnvironment(std::move((*ready)->environment), (*ready)->prepared), problems.light);
-}
-
-bool Viewer::State::showsMaterials() const {
-  if (!changed_for) return now().materials.empty() && now().parameters.empty();
-  return changed_for->materials == now().materials && changed_for->parameters == now().parameters;
-}
-
-/// Gives a model the materials that are asked for, unless another model is asked for.
-Result<void> Viewer::State::changeScene() {
-  if (showsMaterials() || model.task.isRunning() || !problems.model.empty()) return {};
-  const bool has_other_options = !changed_for || changed_for->materials != now().materials;
-  changed_for = now();
-  return tell(changeMaterialsOfStage(has_other_options), problems.materials);
-}
-
-Result<void> Viewer::State::changeMaterialsOfStage(bool has_other_options) {
-  if (has_other_options) {
-    MIRRORBALL_TRY(changes, materialsOf(now().materials));
-    Scene changed = loaded;
-    MIRRORBALL_TRY_VOID(changeMaterials(changed, changes));
-    optioned = std::move(changed);
-  }
-  Scene changed = optioned;
-  MIRRORBALL_TRY_VOID(changeParameters(changed, now()));
-  has_changed = true;
-  return stage.setScene(std::move(changed));
-}
-
-FrameSettings Viewer::State::wanted() const {
-  FrameSettings frame = frameOf(now(), 0).value_or(FrameSettings());
-  frame.proxy.load.inside_only = options.inside_only;
-  frame.size = moves() ? budget.sizeFor(size_px) : size_px;
-  if (moves()) frame.samples = 1;
-  standOnGround(frame);
-  return frame;
-}
-
-namespace {
-
-/// A technique as it is, seen as other settings say: from their camera, in their light.
-FrameSettings seenAs(FrameSettings technique, const FrameSettings& seen) {
-  technique.camera = seen.camera;
-  technique.size = seen.size;
-  technique.samples = seen.samples;
-  technique.display = seen.display;
-  technique.env_rotation_deg = seen.env_rotation_deg;
-  return technique;
-}
-
-}  // namespace
-
-/// Prepares the stage for what is wanted.
-///
-/// returns  what can be drawn meanwhile: what is wanted, the technique before, or nothing
-Result<std::optional<FrameSettings>> Viewer::State::prepared(const FrameSettings& wanted) {
-  if (auto ready = preparing.take()) {
-    const auto taken = *ready ? stage.take(std::move(***ready)) : Result<bool>(fail(std::move(*ready)));
-    MIRRORBALL_TRY_VOID(
-        tell(taken ? Result<void>() : Result<void>(tl::unexpected<Error>(taken.error())), problems.preparing));
-  }
-  if (begun && !has_changed && seenAs(*begun, wanted) == wanted) return std::optional(wanted);
-  const bool has_failed = !problems.preparing.empty() && seenAs(prepared_for, wanted) == wanted;
-  if (!preparing.isRunning() && !has_failed) {
-    problems.preparing.clear();
-    MIRRORBALL_TRY(work, stage.workFor(wanted));
-    if (!work.isNeeded()) return std::optional(wanted);
-    prepared_for = wanted;
-    preparing.begin([work = std::make_shared<StageWork>(std::move(work))](
-                        const ProgressFunction& progress) -> Result<std::shared_ptr<StageWork>> {
-      MIRRORBALL_TRY_VOID(work->run(progress));
-      return work;
-    });
-  }
-  return begun && !has_changed ? std::optional(seenAs(*begun, wanted)) : std::nullopt;
-}
-
-/// Keeps what the view has drawn, which another frame then does not take away.
-Result<void> Viewer::State::keepPicture() {
-  MIRRORBALL_TRY_VOID(gl::resize(on->picture, gl::Format::rgba8, begun->size));
-  return view.show(on->picture->name());
-}
-
-Result<bool> Viewer::State::draw(const FrameSettings& frame) {
-  if (!begun || has_changed || *begun != frame) {
-    begun.reset();  // until it has begun
-    MIRRORBALL_TRY_VOID(view.begin(frame));
-    begun = frame;
-    has_changed = false;
-    programs_left = 1;
-  }
-  if (programs_left > 0) {
-    MIRRORBALL_TRY(left, view.makeProgram());
-    programs_left = left;
-    if (left > 0) return false;
-  }
-  if (view.isDone()) return false;
-  const auto start = std::chrono::steady_clock::now();
-  MIRRORBALL_TRY(drawn, view.drawSample());
-  glFinish();
-  sample_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (drawn == 1) budget.drew(begun->size, sample_s);  // later ones may be of a few pixels
-  samples_shown = drawn;
-  MIRRORBALL_TRY_VOID(keepPicture());
-  return true;
-}
-
-/// Draws a piece of what is wanted, or tells why not.
-Result<bool> Viewer::State::drawWanted() {
-  const FrameSettings frame = wanted();
-  if (failed && (*failed != frame || has_changed)) failed.reset();
-  if (failed) return false;
-  auto drawn = [&]() -> Result<bool> {
-    if (const auto given = frameOf(now(), 0); !given) return tl::unexpected<Error>(given.error());
-    MIRRORBALL_TRY(can_be_drawn, prepared(frame));
-    return can_be_drawn ? draw(*can_be_drawn) : Result<bool>(false);
-  }();
-  if (!drawn) failed = frame;
-  const bool is_other = drawn && *drawn;
-  MIRRORBALL_TRY_VOID(tell(drawn ? Result<void>() : fail(std::move(drawn)), problems.frame));
-  return is_other;
+bool Viewer::State::isUpToDate() const {
+  if (!model.isUpToDate(now())) return false;
+  const std::vector<std::size_t> sides = wantedSides();
+  return std::all_of(sides.begin(), sides.end(),
+                     [&](std::size_t side) { return stageOf(side).isUpToDate(model, mapOf(now(), side)); });
 }
 
 Viewer::Viewer(const Device& device, Workspace start, glm::ivec2 size_px, ViewerOptions options)
@@ -318,10 +99,11 @@ void Viewer::handle(const Event& event) {
   if (const auto* pressed = std::get_if<KeyPressed>(&event))
     if (const ViewerCommand* command = commandOfKey(chordOf(*pressed))) return command->perform(state.history);
   // Before there is a model nothing says how far a hand moves.
-  if (!state.model.is_there) return;
+  if (!state.model.isThere()) return;
   const bool was_going_on = state.gesture.isGoingOn();
-  const ShownPicture shown = state.gesture.asksForPicture(event) ? state.shown() : ShownPicture();
+  const ShownPicture shown = state.gesture.asksForPicture(event, state.now()) ? state.shown() : ShownPicture();
   state.apply(state.gesture.handle(event, state.now(), shown));
+  if (const auto clicked_px = state.gesture.takeClick()) state.clicked_px = clicked_px;
   if (was_going_on && !state.gesture.isGoingOn()) state.history.endGesture();
 }
 
@@ -333,33 +115,26 @@ Result<bool> Viewer::advance(double seconds) {
   const bool moved = state.moves();
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
-  state.load();
-  MIRRORBALL_TRY_VOID(state.takeModel());
-  MIRRORBALL_TRY_VOID(state.takeLight());
-  if (!state.model.is_there || !state.light.is_there) return false;
-  MIRRORBALL_TRY_VOID(state.changeScene());
-  return state.drawWanted();
-}
-
-bool Viewer::isWaiting() const {
-  const State& state = *state_;
-  const bool loads = state.model.task.isRunning() || state.light.task.isRunning() || state.preparing.isRunning();
-  return loads && !(state.begun && !state.has_changed && !state.view.isDone());
+  MIRRORBALL_TRY_VOID(state.follow());
+  MIRRORBALL_TRY_VOID(state.takeClick());
+  return state.advanceSides();
 }
 
 bool Viewer::isDone() const {
   const State& state = *state_;
-  if (state.has_just_moved || state.moves()) return false;
-  if (state.model.task.isRunning() || state.light.task.isRunning() || state.preparing.isRunning()) return false;
-  if (state.model.asked_for != state.now().model) return false;
-  if (state.light.asked_for != mapOf(state.now(), 0)) return false;
-  if (!state.model.is_there || !state.light.is_there) return true;
-  if (!state.showsMaterials() && state.problems.model.empty()) return false;
-  const FrameSettings wanted = state.wanted();
-  if (state.failed == wanted) return true;
-  const bool shows_other = !state.problems.preparing.empty() && state.begun;  // since what is wanted cannot be prepared
-  return state.begun && (shows_other || *state.begun == wanted) && !state.has_changed && state.programs_left == 0 &&
-         state.view.isDone();
+  if (state.has_just_moved || state.moves() || state.clicked_px || !state.isUpToDate()) return false;
+  const std::vector<std::size_t> sides = state.wantedSides();
+  if (!std::all_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.isSideDone(side); })) return false;
+  return !state.canCompare() || state.compared.isDone(state.comparedVersion());
+}
+
+bool Viewer::isWaiting() const {
+  const State& state = *state_;
+  ViewerStatus status;
+  state.tellLoading(status);
+  const std::vector<std::size_t> sides = state.wantedSides();
+  return !status.loading.empty() &&
+         std::none_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.canGoOn(side); });
 }
 
 const Workspace& Viewer::workspace() const { return state_->now(); }
@@ -367,57 +142,40 @@ History& Viewer::history() { return state_->history; }
 
 ViewerStatus Viewer::status() const {
   const State& state = *state_;
-  ViewerStatus status{.programs_left = state.programs_left,
-                      .samples = state.samples_shown,
-                      .wanted_samples = state.begun ? state.begun->samples : 0,
-                      .size_px = state.on->picture ? glm::ivec2(state.on->picture->width(), state.on->picture->height())
-                                                   : glm::ivec2(0),
-                      .sample_s = state.sample_s,
-                      .problem = state.problem()};
-  if (state.model.task.isRunning()) {
-    status.loading = *state.model.asked_for;
-    status.loaded = state.model.task.share();
-  } else if (state.light.task.isRunning()) {
-    status.loading = *state.light.asked_for;
-    status.loaded = state.light.task.share();
-  } else if (state.preparing.isRunning()) {
-    status.loading = "what frames need of the scene";
-    status.loaded = state.preparing.share();
-  }
+  ViewerStatus status{.problem = state.problem()};
+  for (const std::size_t side : state.isComparing() ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0})
+    status.sides.push_back(state.statusOf(side));
+  if (state.isComparing()) status.errors = state.compared.errors();
+  state.tellLoading(status);
   return status;
 }
 
 const Material* Viewer::selectedMaterial() const {
   const auto selected = state_->now().selected_material;
-  return selected && *selected < state_->optioned.materials.size() ? &state_->optioned.materials[*selected] : nullptr;
+  const Scene& scene = state_->model.withoutParameters();
+  return selected && *selected < scene.materials.size() ? &scene.materials[*selected] : nullptr;
 }
 
-bool Viewer::hasPicture() const { return state_->on->picture.has_value(); }
+bool Viewer::hasPicture() const { return state_->pictureOf(state_->seenSides().front()) != nullptr; }
 
 Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
-  const gl::Context& context = state_->stage.device().state().context;
-  MIRRORBALL_TRY_VOID(context.enter());
-  const gl::Framebuffer& picture = *state_->on->picture;
-  const glm::ivec2 end = corner + size_px;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  // The picture is encoded already.
-  const bool encodes = context.api() == gl::Api::desktop43;
-  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
-  glBlitFramebuffer(0, 0, picture.width(), picture.height(), corner.x, corner.y, end.x, end.y, GL_COLOR_BUFFER_BIT,
-                    GL_LINEAR);
-  if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  MIRRORBALL_TRY_VOID(state_->device.state().context.enter());
+  state_->show({framebuffer, corner, size_px});
   return {};
 }
 
-Result<void> Viewer::leave() const { return state_->stage.device().leave(); }
+Result<void> Viewer::leave() const { return state_->device.leave(); }
 
 Result<Image8> Viewer::picture() const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
-  MIRRORBALL_TRY_VOID(state_->stage.device().state().context.enter());
-  return state_->on->picture->readBytes();
+  const gl::Context& context = state_->device.state().context;
+  MIRRORBALL_TRY_VOID(context.enter());
+  if (!state_->isComparing()) return state_->pictureOf(0)->readBytes();
+  const glm::ivec2 size_px = state_->size_px;
+  MIRRORBALL_TRY(whole, gl::Framebuffer::make(gl::Format::rgba8, size_px.x, size_px.y));
+  state_->show({whole.name(), {0, 0}, size_px});
+  return whole.readBytes();
 }
 
 }  // namespace mirrorball

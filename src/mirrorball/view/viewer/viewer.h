@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include <glm/glm.hpp>
 
@@ -12,6 +11,7 @@
 #include "mirrorball/render/stage/device.h"
 #include "mirrorball/render/stage/stage.h"
 #include "mirrorball/view/control/event.h"
+#include "mirrorball/view/viewer/viewer_status.h"
 #include "mirrorball/view/workspace/history.h"
 
 namespace mirrorball {
@@ -22,22 +22,11 @@ struct ViewerOptions {
   bool inside_only = true;                ///< ModelLoadOptions::inside_only
 };
 
-/// What a line of status says.
-struct ViewerStatus {
-  std::string loading = {};  ///< what is loaded; empty: nothing
-  double loaded = 0.0;       ///< how much of it, 0 … 1
-  int programs_left = 0;     ///< that are still to be made before the next picture
-  int samples = 0;           ///< of each pixel of the picture that is shown
-  int wanted_samples = 0;
-  glm::ivec2 size_px{0};     ///< of that picture: smaller than the window's while something moves
-  double sample_s = 0.0;     ///< that its last sample took [s]
-  std::string problem = {};  ///< why what was asked for is not shown, one line; empty: it is
-};
-
 /// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it, and what
 /// a technique needs of a scene is found beside it; until that is there, the picture before stays. While something
 /// moves, pictures are as large as their time allows (TimeBudget), of one sample each; once it rests, all samples of
-/// the whole picture follow, one with each `advance`.
+/// the whole picture follow, one with each `advance`. In a comparison there are two halves, each with its technique, map
+/// and quality, or traced by paths; what a traced one shows while something moves is drawn.
 class Viewer {
  public:
   /// size_px   of the picture
@@ -73,7 +62,8 @@ class Viewer {
 
   /// Whether there is a picture.
   bool hasPicture() const;
-  /// Draws the last picture into a part of a framebuffer, stretched to its size.
+  /// Draws the last picture into a part of a framebuffer, stretched to its size; of a comparison both halves or what
+  /// they differ by, as the workspace says.
   ///
   /// framebuffer  OpenGL's name of it, of 8 bits a channel and one sample a pixel; 0 is a window's. It stays bound
   /// corner       the lower left one of that part [pixels]
@@ -83,7 +73,8 @@ class Viewer {
   ///
   /// errors   no_gl
   Result<void> leave() const;
-  /// The last picture: 4 channels, sRGB-encoded, row 0 at the top.
+  /// What `show` shows: 4 channels, sRGB-encoded, row 0 at the top. Without a comparison as it was drawn, else of the
+  /// window's size.
   ///
   /// errors   usage: there is none; no_gl
   Result<Image8> picture() const;

@@ -1,8 +1,6 @@
 #include "mirrorball/view/viewer/viewer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -11,22 +9,19 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/gl/framebuffer.h"
-#include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/renderer.h"
-#include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/view/viewer/viewer_testing.h"
 
 namespace mirrorball {
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr glm::ivec2 kSize{96, 64};
+using testing::finish;
+using testing::ViewerTest;
 
-class ViewerTest : public testing::HeadlessTest {
- protected:
-  static Device device() { return *Device::on(*gl::Context::adoptCurrent()); }
-};
+constexpr glm::ivec2 kSize = testing::kViewerSize;
 
 /// A small panorama in a file, brighter towards one side.
 std::string mapNamed(const char* name, glm::vec3 color) {
@@ -44,19 +39,8 @@ Workspace teapot() {
   Workspace workspace;
   workspace.model = "teapot";
   workspace.maps = {mapNamed("viewer_blue.hdr", {0.2f, 0.4f, 0.9f}), mapNamed("viewer_red.hdr", {0.9f, 0.3f, 0.1f})};
-  workspace.frame = {{"samples", {"4"}}};
+  workspace.frame = {{"samples", {"4"}}, {"quality", {"draft"}}};
   return workspace;
-}
-
-/// Lets time go on until nothing is left to do.
-void finish(Viewer& viewer) {
-  constexpr int kMost = 200'000;
-  for (int step = 0; step < kMost && !viewer.isDone(); ++step) {
-    const auto drawn = viewer.advance(0.01);
-    ASSERT_TRUE(drawn) << drawn.error().message;
-    if (!viewer.status().loading.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  ASSERT_TRUE(viewer.isDone());
 }
 
 std::vector<std::uint8_t> bytesOf(const Image8& picture) {
@@ -79,7 +63,7 @@ TEST_F(ViewerTest, ShowsWhatARendererDraws) {
   FrameSettings settings = *frameOf(teapot(), 0);
   settings.size = kSize;
   EXPECT_EQ(pictureOf(viewer), bytesOf(*renderer.render(settings)));
-  EXPECT_EQ(viewer.status().samples, 4);
+  EXPECT_EQ(viewer.status().sides[0].samples, 4);
   EXPECT_TRUE(viewer.status().problem.empty());
 }
 
@@ -91,12 +75,12 @@ TEST_F(ViewerTest, AHandTurnsTheModelAndUndoTurnsItBack) {
   for (int step = 1; step <= 5; ++step) {
     viewer.handle(PointerMoved{{20.0f + 5.0f * float(step), 20}});
     ASSERT_TRUE(viewer.advance(0.01));
-    EXPECT_EQ(viewer.status().samples, 1) << "while it moves";
+    EXPECT_EQ(viewer.status().sides[0].samples, 1) << "while it moves";
     EXPECT_FALSE(viewer.isDone());
   }
   viewer.handle(PointerReleased{PointerButton::left});
   finish(viewer);
-  EXPECT_EQ(viewer.status().samples, 4);
+  EXPECT_EQ(viewer.status().sides[0].samples, 4);
   EXPECT_NE(pictureOf(viewer), before);
   EXPECT_EQ(viewer.history().undoName(), "Turn");
   viewer.handle(KeyPressed{"Z", {.control = true}});
@@ -168,7 +152,7 @@ TEST_F(ViewerTest, FollowsTheSizeOfItsWindow) {
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(33, 70), glm::ivec2(0, 0), kSize}) {
     viewer.handle(Resized{size});
     finish(viewer);
-    EXPECT_EQ(viewer.status().size_px, glm::max(size, glm::ivec2(1)));
+    EXPECT_EQ(viewer.status().sides[0].size_px, glm::max(size, glm::ivec2(1)));
   }
 }
 
@@ -212,14 +196,14 @@ TEST_F(ViewerTest, AHandThatHoldsStillSeesTheWholePicture) {
   constexpr glm::ivec2 kWide{1400, 20};
   Viewer viewer(device(), teapot(), kWide, {.frame_s = 1e-9});
   finish(viewer);
-  EXPECT_EQ(viewer.status().size_px, kWide);
+  EXPECT_EQ(viewer.status().sides[0].size_px, kWide);
   viewer.handle(PointerPressed{PointerButton::left, {20, 10}});
   viewer.handle(PointerMoved{{25, 10}});
   ASSERT_TRUE(viewer.advance(10.0)) << "the host has slept";
-  EXPECT_EQ(viewer.status().samples, 1);
+  EXPECT_EQ(viewer.status().sides[0].samples, 1);
   finish(viewer);
-  EXPECT_EQ(viewer.status().samples, 4);
-  EXPECT_EQ(viewer.status().size_px, kWide);
+  EXPECT_EQ(viewer.status().sides[0].samples, 4);
+  EXPECT_EQ(viewer.status().sides[0].size_px, kWide);
 }
 
 TEST_F(ViewerTest, AKeyFliesNoFartherThanTimeWentOn) {

@@ -16,9 +16,6 @@
 namespace mirrorball {
 namespace {
 
-// The options' own defaults, and nothing that a model asks for.
-const std::string kQuality = "draft";
-
 /// An option of a table, by either of its names.
 struct Known {
   OptionTable table;
@@ -31,6 +28,8 @@ std::optional<Known> optionNamed(std::string_view name) {
     return text.name == name || (!text.also.empty() && text.also == name);
   };
   for (const auto& option : frameOptions())
+    if (is_it(option.text)) return Known{OptionTable::frame, option.text, option.isFlag()};
+  for (const auto& option : qualityOptions())
     if (is_it(option.text)) return Known{OptionTable::frame, option.text, option.isFlag()};
   for (const auto& option : materialOptions())
     if (is_it(option.text)) return Known{OptionTable::material, option.text, option.isFlag()};
@@ -80,13 +79,7 @@ Result<Workspace> withWord(Workspace workspace, const std::string& word, Words& 
   if (!word.starts_with("--")) return withFile(std::move(workspace), word);
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-  if (name == "quality") {
-    const auto in_same_word = equals == std::string::npos ? std::nullopt : std::optional(word.substr(equals + 1));
-    MIRRORBALL_TRY(quality, words.valueOf(word, in_same_word));
-    if (quality == kQuality) return workspace;
-    return fail(ErrorCode::unsupported,
-                "--quality " + excerpt(quality) + ": a workspace shows " + kQuality + " so far");
-  }
+  if (name == "reference") return withTruth(std::move(workspace));
   const auto known = optionNamed(name);
   if (!known) return fail(ErrorCode::usage, "there is no option --" + excerpt(name));
   std::optional<std::string> value;
@@ -118,7 +111,7 @@ Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std
     return fail(ErrorCode::unsupported,
                 "single materials were changed, which no option of render says; save a workspace instead");
   std::vector<std::string> words{workspace.model, "-e", mapOf(workspace, side)};
-  words.push_back("--quality=" + kQuality);
+  if (isTraced(workspace, side)) words.emplace_back("--reference");
   addOptions(givenFrame(workspace, side), words);
   addOptions(workspace.materials, words);
   return words;

@@ -41,7 +41,7 @@ TEST(Arguments, RefusesOthers) {
   EXPECT_THAT(read({"nowhere.glb"}).error().message, HasSubstr("nowhere.glb"));
   EXPECT_FALSE(read({"-e"}));
   EXPECT_TRUE(read({"--quality", "draft"}));
-  EXPECT_FALSE(read({"--quality=best"}));
+  EXPECT_EQ(qualityOf(read({"--quality=best"})->frame), Quality::best);
 }
 
 TEST(Arguments, SayAWorkspaceAgain) {

@@ -32,6 +32,8 @@ Result<void> assignAll(Table table, const GivenTexts& given, Target& target) {
   return {};
 }
 
+bool isOfQuality(std::string_view name) { return optionNamed(qualityOptions(), name) != nullptr; }
+
 /// Gives an option of a table another text, after trying it.
 ///
 /// beneath   the option's texts where it is not in `given`
@@ -80,7 +82,9 @@ Workspace tidied(Workspace workspace) {
 Result<Workspace> withFrameOption(Workspace workspace, std::string_view name, std::string_view text) {
   const std::vector<std::string> of_both =
       isOfBoth(workspace, name) ? std::vector<std::string>() : textsOf(workspace.frame, name);
-  MIRRORBALL_TRY_VOID(give<FrameSettings>(frameOptions(), name, text, of_both, editedFrame(workspace, name)));
+  GivenTexts& given = editedFrame(workspace, name);
+  MIRRORBALL_TRY_VOID(isOfQuality(name) ? give<QualityRequest>(qualityOptions(), name, text, of_both, given)
+                                        : give<FrameSettings>(frameOptions(), name, text, of_both, given));
   // A repeated one may be one too many.
   for (std::size_t side = 0; side < workspace.sides.size(); ++side) {
     const auto settings = frameOf(workspace, side);
@@ -104,8 +108,16 @@ void erase(GivenTexts& given, std::string_view name) {
 
 Result<FrameSettings> frameOf(const GivenTexts& given) {
   FrameSettings settings;
-  MIRRORBALL_TRY_VOID(assignAll(frameOptions(), given, settings));
+  for (const auto& each : given)
+    if (!isOfQuality(each.first)) MIRRORBALL_TRY_VOID(assignAll(frameOptions(), {each}, settings));
   return settings;
+}
+
+Result<Quality> qualityOf(const GivenTexts& given) {
+  QualityRequest wish;
+  for (const auto& each : given)
+    if (isOfQuality(each.first)) MIRRORBALL_TRY_VOID(assignAll(qualityOptions(), {each}, wish));
+  return wish.quality;
 }
 
 Result<MaterialChanges> materialsOf(const GivenTexts& given) {
@@ -212,6 +224,24 @@ Workspace withOnlyMap(Workspace workspace, std::string name) {
 const std::string& mapOf(const Workspace& workspace, std::size_t side) {
   const bool is_own = isComparing(workspace) && workspace.sides[side].map;
   return workspace.maps[is_own ? *workspace.sides[side].map : workspace.shown_map];
+}
+
+bool isTraced(const Workspace& workspace, std::size_t side) {
+  return isComparing(workspace) && workspace.sides[side].is_traced;
+}
+
+Workspace withTruth(Workspace workspace) {
+  Side& edited = workspace.sides[editedSide(workspace)];
+  if (!isComparing(workspace)) {
+    workspace.compare_by = CompareBy::flip;
+    workspace.sides[1].is_traced = true;
+    workspace.edited_side = 0;
+  } else if (workspace.compare_by == CompareBy::flip && workspace.sides[1].is_traced) {
+    workspace.edited_side = 1 - workspace.edited_side;
+  } else {
+    edited.is_traced = !edited.is_traced;
+  }
+  return workspace;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/render/settings/frame_settings.h"
+#include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
@@ -24,7 +25,7 @@ using GivenTexts = std::map<std::string, std::vector<std::string>, std::less<>>;
 /// One of the two halves of a comparison: in what it differs from the options of both. Without a comparison it counts
 /// for nothing.
 struct Side {
-  GivenTexts frame = {};  ///< of frameOptions(), in place of Workspace::frame's; an option without texts is not given
+  GivenTexts frame = {};  ///< of those tables too, in place of Workspace::frame's; an option without texts is not given
   std::optional<std::size_t> map = {};  ///< of Workspace::maps; nothing: the one that is shown
   bool is_traced = false;               ///< by the path tracer: the truth
 
@@ -46,7 +47,7 @@ struct Workspace {
   std::string model = "showcase";              ///< loadModel's
   std::vector<std::string> maps = {"studio"};  ///< loadEnvironment's, to step through; at least one
   std::size_t shown_map = 0;
-  GivenTexts frame = {};                              ///< of frameOptions()
+  GivenTexts frame = {};                              ///< of frameOptions() and qualityOptions()
   GivenTexts materials = {};                          ///< of materialOptions(): of the whole model
   std::map<std::size_t, GivenTexts> parameters = {};  ///< of materialParameters(), for materials of the scene
   std::array<Side, 2> sides = {};
@@ -60,7 +61,7 @@ struct Workspace {
 
 /// Which table an option is of.
 enum class OptionTable {
-  frame,      ///< frameOptions(): of the half that is edited
+  frame,      ///< frameOptions() and qualityOptions(): of the half that is edited
   material,   ///< materialOptions(): of the whole model
   parameter,  ///< materialParameters(): of the material that is selected
 };
@@ -68,7 +69,8 @@ enum class OptionTable {
 /// Settings of the table that hold all of some texts.
 ///
 /// errors   usage: a text that the option refuses, or an option that there is not
-Result<FrameSettings> frameOf(const GivenTexts& given);
+Result<FrameSettings> frameOf(const GivenTexts& given);  ///< but for the quality
+Result<Quality> qualityOf(const GivenTexts& given);
 Result<MaterialChanges> materialsOf(const GivenTexts& given);
 /// Sets parameters of a material.
 ///
@@ -83,6 +85,9 @@ std::size_t editedSide(const Workspace& workspace);
 
 /// The options that a half is drawn with.
 GivenTexts givenFrame(const Workspace& workspace, std::size_t side);
+
+/// Whether a half is traced by paths.
+bool isTraced(const Workspace& workspace, std::size_t side);
 
 /// How a half is drawn.
 ///
@@ -126,6 +131,10 @@ Workspace withOnlyMap(Workspace workspace, std::string name);
 
 /// The panorama of a half.
 const std::string& mapOf(const Workspace& workspace, std::size_t side);
+
+/// Compares with the truth by flipping: the second half is traced, and the first is seen. Where it is so, the other half
+/// is seen; in another comparison the half that is edited becomes a traced one, or a drawn one again.
+Workspace withTruth(Workspace workspace);
 
 /// Moves the camera of both halves.
 Workspace withCamera(Workspace workspace, const CameraOptions& camera);

@@ -119,8 +119,10 @@ Result<void> checkWorkspace(const Workspace& workspace) {
     for (const auto& [name, texts] : each.frame)
       if (isShared(name)) return fail(ErrorCode::bad_file, "sides: " + excerpt(name) + " is of both");
     MIRRORBALL_TRY_VOID(frameOf(each.frame));
+    MIRRORBALL_TRY_VOID(qualityOf(each.frame));
   }
   MIRRORBALL_TRY_VOID(frameOf(workspace.frame));
+  MIRRORBALL_TRY_VOID(qualityOf(workspace.frame));
   MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
   Material tried;
   for (const auto& [material, given] : workspace.parameters) MIRRORBALL_TRY_VOID(setParameters(given, tried));

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mirrorball/render/stage/stage.h"
+#include "mirrorball/view/viewer/loading.h"
+#include "mirrorball/view/viewer/shown_model.h"
+
+namespace mirrorball {
+
+/// A model in one panorama, which is loaded beside its owner; until another is there, the one before is shown.
+class LitStage {
+ public:
+  explicit LitStage(const Device& device) : stage_(device) {}
+
+  /// Begins to load a panorama, takes what was loaded, and shows the model as it is now.
+  ///
+  /// errors   no_gl; all else is told by problem()
+  Result<void> follow(ShownModel& model, const std::string& map, const std::optional<CacheFolder>& cache);
+
+  bool isReady() const { return has_light_ && model_version_ > 0; }
+  bool isUpToDate(const ShownModel& model, const std::string& map) const;
+  /// Counts its changes.
+  int version() const { return version_; }
+
+  Stage& stage() { return stage_; }
+  const Stage& stage() const { return stage_; }
+
+  const LoadingByName<LoadedLight>& loading() const { return light_; }
+  /// Why it does not show what was asked for; empty: it does.
+  const std::string& problem() const;
+
+ private:
+  Stage stage_;
+  LoadingByName<LoadedLight> light_;
+  bool has_light_ = false;
+  int model_version_ = 0;
+  int version_ = 0;
+  std::string problem_of_light_;
+  std::string problem_of_model_;
+};
+
+}  // namespace mirrorball

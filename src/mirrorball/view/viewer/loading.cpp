@@ -1,0 +1,31 @@
+#include "mirrorball/view/viewer/loading.h"
+
+#include <utility>
+
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/rays/seen_from.h"
+#include "mirrorball/render/settings/quality.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball {
+
+Result<LoadedModel> loadedModel(const std::string& name, bool inside_only, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(scene, loadModel(name, {.inside_only = inside_only}));
+  MIRRORBALL_TRY(levels, makeMapLevels(scene, progress));
+  bool hides_itself = false;
+  if (!traitsOf(scene).is_huge) {
+    MIRRORBALL_TRY(hides, hidesItself(scene));
+    hides_itself = hides;
+  }
+  return LoadedModel{std::move(scene), std::move(levels), hides_itself};
+}
+
+Result<LoadedLight> loadedLight(const std::string& name, const std::optional<CacheFolder>& cache,
+                                const ProgressFunction& progress) {
+  MIRRORBALL_TRY(loaded, loadEnvironment(name, {}, progress));
+  if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
+  MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
+  return LoadedLight{std::move(loaded.environment), std::move(prepared)};
+}
+
+}  // namespace mirrorball

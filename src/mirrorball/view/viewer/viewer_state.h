@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mirrorball/render/stage/device_state.h"
+#include "mirrorball/view/control/gesture.h"
+#include "mirrorball/view/viewer/compared_sides.h"
+#include "mirrorball/view/viewer/composition.h"
+#include "mirrorball/view/viewer/drawn_side.h"
+#include "mirrorball/view/viewer/lit_stage.h"
+#include "mirrorball/view/viewer/shown_model.h"
+#include "mirrorball/view/viewer/traced_side.h"
+#include "mirrorball/view/viewer/viewer.h"
+
+namespace mirrorball {
+
+/// How a half is to look.
+struct WantedFrame {
+  FrameSettings drawn;      ///< by the renderer, with what its quality fills in
+  FrameSettings traced;     ///< by paths, as many as its samples say
+  std::string chosen = {};  ///< SideStatus'
+};
+
+/// A viewer's parts, and what they do in turn.
+struct Viewer::State {
+  State(const Device& device, Workspace start, glm::ivec2 size, ViewerOptions given);
+
+  const Workspace& now() const { return history.now(); }
+  bool isComparing() const { return now().compare_by != CompareBy::none; }
+  /// Whether that half is of paths; it is drawn as long as there are none.
+  bool isTraced(std::size_t side) const { return mirrorball::isTraced(now(), side); }
+  /// Whether something moves, or has a moment ago.
+  bool moves() const;
+  /// The halves that are seen now, and those that are wanted, too.
+  std::vector<std::size_t> seenSides() const;
+  std::vector<std::size_t> wantedSides() const;
+
+  // Hands.
+  ShownPicture shown() const;
+  void apply(std::optional<Change> change);
+  Result<void> takeClick();
+
+  // What is loaded.
+  Result<void> follow();
+  LitStage& stageOf(std::size_t side) const;
+  /// Whether all is loaded that the workspace asks for, or the status says why not.
+  bool isUpToDate() const;
+
+  // What is drawn (viewer_drawing.cpp).
+  Result<WantedFrame> wanted(std::size_t side) const;
+  Result<bool> advanceSides();
+  Result<bool> advance(std::size_t side, const WantedFrame& frame);
+  Result<bool> advanceComparison();
+  /// Whether that half shows all that is wanted of it, or the status says why not.
+  bool isSideDone(std::size_t side) const;
+  /// Whether there is something to be drawn of it now, beside what is found elsewhere.
+  bool canGoOn(std::size_t side) const;
+  /// Whether both halves have pictures of one size that are to be compared.
+  bool canCompare() const;
+  const gl::Framebuffer* pictureOf(std::size_t side) const;
+  /// What is found of the two halves once both are done; null: nothing yet.
+  const gl::Framebuffer* heatMap() const;
+  ComparedSides::Version comparedVersion() const;
+  void show(const FramebufferPart& part) const;
+
+  // What there is to be said.
+  SideStatus statusOf(std::size_t side) const;
+  void tellLoading(ViewerStatus& status) const;
+  const std::string& problem() const;
+
+  Device device;
+  ViewerOptions options;
+  History history;
+  Gesture gesture = {};
+  glm::ivec2 size_px;
+  double since_moved_s;
+  bool has_just_moved = false;               ///< since the last `advance`
+  std::optional<glm::vec2> clicked_px = {};  ///< where what is there is still to be found
+  ShownModel model = {};
+  std::array<std::unique_ptr<LitStage>, 2> stages;  ///< of both halves; with one map the first is
+  std::array<DrawnSide, 2> drawn;
+  std::array<TracedSide, 2> traced;
+  ComparedSides compared;
+  std::array<std::string, 2> problems_of_frames = {};
+  std::string problem_of_picking = {};
+};
+
+}  // namespace mirrorball

@@ -89,6 +89,7 @@ Result<bool> DrawnSide::drawPiece(const LitStage& stage, const FrameSettings& fr
     begun_ = frame;
     begun_version_ = stage.version();
     programs_left_ = 1;
+    samples_ = 0;
   }
   if (programs_left_ > 0) {
     MIRRORBALL_TRY(left, view_->makeProgram());
@@ -101,7 +102,7 @@ Result<bool> DrawnSide::drawPiece(const LitStage& stage, const FrameSettings& fr
   glFinish();
   sample_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (drawn == 1) budget_.drew(frame.size, sample_s_);  // later ones may be of a few pixels
-  samples_shown_ = drawn;
+  samples_ = drawn;
   // Kept, since another frame takes what the view has drawn.
   MIRRORBALL_TRY_VOID(gl::resize(on_->picture, gl::Format::rgba8, frame.size));
   MIRRORBALL_TRY_VOID(view_->show(on_->picture->name()));

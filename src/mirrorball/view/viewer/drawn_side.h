@@ -37,6 +37,10 @@ class DrawnSide {
   /// errors   as View::pick's and StageWork's
   Result<std::optional<std::optional<Picked>>> pick(LitStage& stage, glm::vec2 place_px);
 
+  /// Whether it draws what is wanted, or has.
+  bool hasBegun(const LitStage& stage, const FrameSettings& wanted) const {
+    return isAsBegun(stage) && *begun_ == wanted;
+  }
   /// Whether it shows all of what is wanted, or problem() says why not.
   bool isDone(const LitStage& stage, const FrameSettings& wanted) const;
   /// Whether nothing can be drawn until what is found beside it is there.
@@ -56,7 +60,7 @@ class DrawnSide {
   const auto& preparing() const { return preparing_; }
   const std::string& problem() const { return problem_of_preparing_.empty() ? problem_ : problem_of_preparing_; }
   int programsLeft() const { return programs_left_; }
-  int samples() const { return samples_shown_; }
+  int samples() const { return samples_; }
   int wantedSamples() const { return begun_ ? begun_->samples : 0; }
   double sampleSeconds() const { return sample_s_; }
   LightCost lightCost() const { return view_ ? view_->lightCost() : LightCost(); }
@@ -88,7 +92,7 @@ class DrawnSide {
   int failed_version_ = 0;               // of its stage
   int programs_left_ = 0;
   double sample_s_ = 0.0;
-  int samples_shown_ = 0;
+  int samples_ = 0;
   int picture_version_ = 0;
   std::string problem_;
   std::string problem_of_preparing_;

@@ -25,8 +25,8 @@ struct ViewerOptions {
 /// A viewer without a screen: events and time go in, pictures come out. Models and maps are loaded beside it, and what
 /// a technique needs of a scene is found beside it; until that is there, the picture before stays. While something
 /// moves, pictures are as large as their time allows (TimeBudget), of one sample each; once it rests, all samples of
-/// the whole picture follow, one with each `advance`. In a comparison there are two halves, each with its technique, map
-/// and quality, or traced by paths; what a traced one shows while something moves is drawn.
+/// the whole picture follow, one with each `advance`. In a comparison there are two halves, each with its technique,
+/// map and quality, or traced by paths; what a traced one shows while something moves is drawn.
 class Viewer {
  public:
   /// size_px   of the picture

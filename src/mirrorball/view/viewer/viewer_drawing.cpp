@@ -48,32 +48,43 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   return wanted;
 }
 
-/// What moves is drawn in all halves that are seen; what rests in one after the other.
+/// What moves is drawn in all halves that are seen; of what rests, the half that has fewer samples.
 Result<bool> Viewer::State::advanceSides() {
   bool is_other = false;
+  std::optional<std::size_t> next;
   for (const std::size_t side : wantedSides()) {
-    if (!stageOf(side).isReady()) continue;
-    const auto frame = wanted(side);
-    problems_of_frames[side] = frame ? std::string() : frame.error().message;
-    if (!frame) continue;
-    const bool was_done = isSideDone(side);
-    MIRRORBALL_TRY(is_new, advance(side, *frame));
+    MIRRORBALL_TRY(is_new, advance(side));
     is_other = is_other || is_new;
-    if (!was_done && !moves() && canGoOn(side)) return is_other;
+    if (canGoOn(side) && (!next || samplesOf(side) < samplesOf(*next))) next = side;
+  }
+  if (next && !moves()) {
+    MIRRORBALL_TRY(is_new, draw(*next));
+    is_other = is_other || is_new;
   }
   MIRRORBALL_TRY(is_compared, advanceComparison());
   return is_other || is_compared;
 }
 
-Result<bool> Viewer::State::advance(std::size_t side, const WantedFrame& frame) {
-  LitStage& stage = stageOf(side);
-  if (!isTraced(side) || moves()) {
-    traced[side].stop();
-    return drawn[side].draw(stage, frame.drawn);
-  }
-  MIRRORBALL_TRY(is_other, traced[side].trace(stage, frame.traced));
-  if (is_other || pictureOf(side) != drawn[side].picture()) return is_other;
-  return drawn[side].draw(stage, frame.drawn);
+/// Takes what was found beside it; what moves is drawn at once.
+Result<bool> Viewer::State::advance(std::size_t side) {
+  if (!stageOf(side).isReady()) return false;
+  const auto frame = wanted(side);
+  problems_of_frames[side] = frame ? std::string() : frame.error().message;
+  if (!frame) return false;
+  if (isTraced(side) && !moves()) return traced[side].trace(stageOf(side), frame->traced);
+  traced[side].stop();
+  const bool goes_on = moves() || !drawn[side].hasBegun(stageOf(side), frame->drawn);
+  return goes_on ? draw(side) : Result<bool>(false);
+}
+
+Result<bool> Viewer::State::draw(std::size_t side) {
+  const auto frame = wanted(side);
+  return frame ? drawn[side].draw(stageOf(side), frame->drawn) : Result<bool>(false);
+}
+
+int Viewer::State::samplesOf(std::size_t side) const {
+  const auto frame = wanted(side);
+  return frame && drawn[side].hasBegun(stageOf(side), frame->drawn) ? drawn[side].samples() : 0;
 }
 
 bool Viewer::State::isSideDone(std::size_t side) const {

@@ -53,7 +53,10 @@ struct Viewer::State {
   // What is drawn (viewer_drawing.cpp).
   Result<WantedFrame> wanted(std::size_t side) const;
   Result<bool> advanceSides();
-  Result<bool> advance(std::size_t side, const WantedFrame& frame);
+  Result<bool> advance(std::size_t side);
+  Result<bool> draw(std::size_t side);
+  /// Of its picture as it is wanted now.
+  int samplesOf(std::size_t side) const;
   Result<bool> advanceComparison();
   /// Whether that half shows all that is wanted of it, or the status says why not.
   bool isSideDone(std::size_t side) const;

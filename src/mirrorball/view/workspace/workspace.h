@@ -132,8 +132,8 @@ Workspace withOnlyMap(Workspace workspace, std::string name);
 /// The panorama of a half.
 const std::string& mapOf(const Workspace& workspace, std::size_t side);
 
-/// Compares with the truth by flipping: the second half is traced, and the first is seen. Where it is so, the other half
-/// is seen; in another comparison the half that is edited becomes a traced one, or a drawn one again.
+/// Compares with the truth by flipping: the second half is traced, and the first is seen. Where it is so, the other
+/// half is seen; in another comparison the half that is edited becomes a traced one, or a drawn one again.
 Workspace withTruth(Workspace workspace);
 
 /// Moves the camera of both halves.

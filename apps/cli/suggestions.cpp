@@ -68,7 +68,7 @@ constexpr std::array<Synonyms, 39> kOptionSynonyms{{
 }};
 
 constexpr std::array<Synonyms, 6> kCommandSynonyms{{
-    {"render", "display draw preview show view"},
+    {"render", "display draw preview show"},
     {"convert", "cubemap reproject resample resize transform"},
     {"bake", "filter ibl irradiance prefilter"},
     {"info", "describe identify inspect"},

@@ -11,6 +11,7 @@ Result<void> LitStage::follow(ShownModel& model, const std::string& map, const s
     return loadedLight(name, cache, progress);
   });
   if (auto light = light_.take()) {
+    watch_.watch(light->files);
     const auto set = stage_.setEnvironment(std::move(light->environment), light->prepared);
     has_light_ = has_light_ || set;
     ++version_;

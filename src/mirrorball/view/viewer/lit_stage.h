@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mirrorball/render/stage/stage.h"
+#include "mirrorball/view/viewer/file_watch.h"
 #include "mirrorball/view/viewer/loading.h"
 #include "mirrorball/view/viewer/shown_model.h"
 
@@ -18,6 +19,11 @@ class LitStage {
   ///
   /// errors   no_gl; all else is told by problem()
   Result<void> follow(ShownModel& model, const std::string& map, const std::optional<CacheFolder>& cache);
+
+  /// Loads the panorama again if a file of it has changed, when it is next asked for.
+  void askDisk() {
+    if (watch_.hasChanged()) light_.forget();
+  }
 
   bool isReady() const { return has_light_ && model_version_ > 0; }
   bool isUpToDate(const ShownModel& model, const std::string& map) const;
@@ -34,6 +40,7 @@ class LitStage {
  private:
   Stage stage_;
   LoadingByName<LoadedLight> light_;
+  FileWatch watch_;
   bool has_light_ = false;
   int model_version_ = 0;
   int version_ = 0;

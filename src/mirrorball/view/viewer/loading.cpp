@@ -25,7 +25,7 @@ Result<LoadedLight> loadedLight(const std::string& name, const std::optional<Cac
   MIRRORBALL_TRY(loaded, loadEnvironment(name, {}, progress));
   if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
   MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
-  return LoadedLight{std::move(loaded.environment), std::move(prepared)};
+  return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files)};
 }
 
 }  // namespace mirrorball

@@ -3,6 +3,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/progress.h"
@@ -31,6 +33,7 @@ Result<LoadedModel> loadedModel(const std::string& name, bool inside_only, const
 struct LoadedLight {
   Environment environment;
   PreparedEnvironment prepared;
+  std::vector<std::string> files;  ///< that were read
 };
 
 /// errors   as loadEnvironment's; interrupted
@@ -50,6 +53,9 @@ class LoadingByName {
     problem_.clear();
     task_.begin([name, load = std::move(load)](const ProgressFunction& progress) { return load(name, progress); });
   }
+
+  /// Loads it again when it is next asked for: its files have changed.
+  void forget() { asked_for_.clear(); }
 
   /// What was loaded, once. What could not be is told by problem().
   std::optional<Value> take() {

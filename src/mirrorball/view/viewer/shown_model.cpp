@@ -22,6 +22,7 @@ bool ShownModel::follow(const Workspace& workspace, bool inside_only) {
 bool ShownModel::take() {
   auto ready = loading_.take();
   if (!ready) return false;
+  watch_.watch(ready->scene.files);
   changed_ = optioned_ = loaded_ = std::move(ready->scene);
   levels_ = std::move(ready->levels);
   hides_itself_ = ready->hides_itself;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mirrorball/render/settings/quality.h"
+#include "mirrorball/view/viewer/file_watch.h"
 #include "mirrorball/view/viewer/loading.h"
 #include "mirrorball/view/workspace/workspace.h"
 
@@ -18,6 +19,11 @@ class ShownModel {
   ///
   /// returns   whether it is another model than before
   bool follow(const Workspace& workspace, bool inside_only);
+
+  /// Loads it again if a file of it has changed, when it is next asked for.
+  void askDisk() {
+    if (watch_.hasChanged()) loading_.forget();
+  }
 
   bool isThere() const { return version_ > 0; }
   /// Whether it is all that the workspace asks for, or problem() says why not.
@@ -49,6 +55,7 @@ class ShownModel {
   GivenTexts optioned_for_;
   std::optional<Workspace> changed_for_;  // nothing: the materials are the file's
   std::string problem_;
+  FileWatch watch_;
   int version_ = 0;
 };
 

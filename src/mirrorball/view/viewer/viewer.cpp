@@ -72,6 +72,15 @@ Result<void> Viewer::State::follow() {
   return has_other_map ? stages[1]->follow(model, mapOf(now(), 1), options.cache) : Result<void>();
 }
 
+void Viewer::State::askDisk(double seconds) {
+  constexpr double kPause_s = 1.0;
+  since_asked_disk_s += std::max(seconds, 0.0);
+  if (since_asked_disk_s < kPause_s) return;
+  since_asked_disk_s = 0.0;
+  model.askDisk();
+  for (const auto& stage : stages) stage->askDisk();
+}
+
 LitStage& Viewer::State::stageOf(std::size_t side) const {
   const bool has_own_map = side == 1 && isComparing() && mapOf(now(), 1) != mapOf(now(), 0);
   return *stages[has_own_map ? 1 : 0];
@@ -115,6 +124,7 @@ Result<bool> Viewer::advance(double seconds) {
   const bool moved = state.moves();
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
+  state.askDisk(seconds);
   MIRRORBALL_TRY_VOID(state.follow());
   MIRRORBALL_TRY_VOID(state.takeClick());
   return state.advanceSides();

@@ -46,6 +46,8 @@ struct Viewer::State {
 
   // What is loaded.
   Result<void> follow();
+  /// Loads again what has changed on the disk, which it asks about once a second.
+  void askDisk(double seconds);
   LitStage& stageOf(std::size_t side) const;
   /// Whether all is loaded that the workspace asks for, or the status says why not.
   bool isUpToDate() const;
@@ -81,6 +83,7 @@ struct Viewer::State {
   Gesture gesture = {};
   glm::ivec2 size_px;
   double since_moved_s;
+  double since_asked_disk_s = 0.0;
   bool has_just_moved = false;               ///< since the last `advance`
   std::optional<glm::vec2> clicked_px = {};  ///< where what is there is still to be found
   ShownModel model = {};

@@ -1,6 +1,9 @@
 #include "mirrorball/view/viewer/viewer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -236,6 +239,26 @@ TEST_F(ViewerTest, ShowsItsPictureInAPartOfAnyFramebuffer) {
       ASSERT_TRUE(std::equal(picture.texel(0, y), picture.texel(0, y) + 4 * kSize.x, shown.texel(7, y))) << "row " << y;
     ASSERT_TRUE(viewer.show(window->name(), {0, 0}, kSize / 2));
   }
+}
+
+TEST_F(ViewerTest, AFileThatWasWrittenAgainIsShown) {
+  Viewer viewer(device(), teapot(), kSize);
+  finish(viewer);
+  const auto before = pictureOf(viewer);
+  const std::string path = teapot().maps[0];
+  const auto time = std::filesystem::last_write_time(path);
+  mapNamed("viewer_blue.hdr", {0.1f, 0.9f, 0.1f});
+  std::filesystem::last_write_time(path, time + std::chrono::seconds(2));
+  for (int second = 0; second < 3; ++second) ASSERT_TRUE(viewer.advance(1.1));
+  finish(viewer);
+  EXPECT_NE(pictureOf(viewer), before);
+  std::ofstream(path, std::ios::binary) << "no picture";
+  std::filesystem::last_write_time(path, time + std::chrono::seconds(4));
+  const auto green = pictureOf(viewer);
+  for (int second = 0; second < 3; ++second) ASSERT_TRUE(viewer.advance(1.1));
+  finish(viewer);
+  EXPECT_THAT(viewer.status().problem, HasSubstr("viewer_blue.hdr"));
+  EXPECT_EQ(pictureOf(viewer), green);
 }
 
 TEST_F(ViewerTest, EndsWhileItLoads) {

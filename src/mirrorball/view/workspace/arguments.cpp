@@ -98,11 +98,16 @@ void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
 
 Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
   Workspace workspace;
+  bool names_environment = false;
   for (Words words(arguments); !words.empty();) {
     const std::string& word = words.next();
+    names_environment = names_environment || word == "-e" || word == "--env";
     MIRRORBALL_TRY(next, withWord(std::move(workspace), word, words));
     workspace = std::move(next);
   }
+  // Maps and workspaces that are opened count as asked for, too.
+  if (workspace.model == Workspace().model && workspace.maps == Workspace().maps && !names_environment)
+    return withShowcase(std::move(workspace));
   return workspace;
 }
 

@@ -31,7 +31,9 @@ TEST(Arguments, AreWordsOfRender) {
   EXPECT_TRUE(frameOf(workspace, 0)->self_reflection);
   EXPECT_FLOAT_EQ(frameOf(workspace, 0)->env_rotation_deg.x, 40.0f);
   EXPECT_EQ(materialsOf(workspace.materials)->material, "gold");
-  EXPECT_EQ(*read({}), Workspace());
+  EXPECT_EQ(*read({"-e", "studio"}), Workspace());
+  EXPECT_EQ(*read({}), withShowcase({})) << "as render shows it";
+  EXPECT_EQ(*read({"--camera=10,20"}), withShowcase(*read({"-e", "studio", "--camera=10,20"})));
 }
 
 TEST(Arguments, RefusesOthers) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
 #include <utility>
 
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/render/settings/frame_checks.h"
 
 namespace mirrorball {
 namespace {
@@ -266,6 +268,19 @@ Workspace withCamera(Workspace workspace, const CameraOptions& camera) {
   for (const std::string_view name : {"camera", "target", "fov", "orthographic"})
     giveAs(settings, name, FrameSettings(), workspace.frame);
   return workspace;
+}
+
+Workspace withShowcase(Workspace workspace) {
+  std::set<std::string_view> given;
+  for (const auto& [name, texts] : workspace.frame) given.insert(name);
+  std::string environment = workspace.maps.front();
+  FrameSettings settings;
+  setShowcase(given, environment, settings);
+  GivenTexts frame = workspace.frame;
+  for (const auto& option : frameOptions())
+    if (!given.contains(option.text.name)) giveAs(settings, option.text.name, FrameSettings(), frame);
+  workspace.frame = std::move(frame);
+  return withOnlyMap(std::move(workspace), std::move(environment));
 }
 
 Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {

@@ -120,6 +120,9 @@ Workspace withoutOptions(Workspace workspace);
 /// Shows another model: what was said of single materials of the one before, and where its camera stood, is forgotten.
 Workspace withModel(Workspace workspace, std::string name);
 
+/// The showcase as `render` shows it if no environment is asked for (setShowcase): what was given stays.
+Workspace withShowcase(Workspace workspace);
+
 /// Shows the next panorama, or with −1 the one before; after the last comes the first.
 Workspace withMapStepped(Workspace workspace, int by);
 

@@ -1,0 +1,49 @@
+#include "mirrorball/view/workspace/recent_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include "mirrorball/base/file.h"
+
+namespace mirrorball {
+
+std::optional<RecentFiles> RecentFiles::ofUser() {
+  const char* const state = std::getenv("XDG_STATE_HOME");
+  const char* const home = std::getenv("HOME");
+  if (state != nullptr && *state != '\0')
+    return RecentFiles(std::filesystem::path(state) / "mirrorball" / "recent.txt");
+  if (home == nullptr || *home == '\0') return std::nullopt;
+  return RecentFiles(std::filesystem::path(home) / ".local" / "state" / "mirrorball" / "recent.txt");
+}
+
+std::vector<std::string> RecentFiles::list() const {
+  constexpr std::size_t kLargest = std::size_t{1} << 16;
+  const auto bytes = readFile(file_, kLargest);
+  if (!bytes) return {};
+  std::vector<std::string> files;
+  std::istringstream lines(std::string(bytes->begin(), bytes->end()));
+  for (std::string line; files.size() < kMost && std::getline(lines, line);) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(line, ignored)) files.push_back(line);
+  }
+  return files;
+}
+
+void RecentFiles::note(const std::string& path) const {
+  std::error_code error;
+  const std::string file = std::filesystem::absolute(path, error).lexically_normal().string();
+  // A line is a file.
+  if (error || !std::filesystem::is_regular_file(file, error) || file.find('\n') != std::string::npos) return;
+  std::vector<std::string> files = list();
+  files.erase(std::remove(files.begin(), files.end(), file), files.end());
+  files.insert(files.begin(), file);
+  files.resize(std::min(files.size(), kMost));
+  std::string text;
+  for (const std::string& each : files) text += each + "\n";
+  std::filesystem::create_directories(file_.parent_path(), error);
+  (void)writeFile(file_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,82 @@
+#include "mirrorball/view/workspace/view_request.h"
+
+#include <array>
+#include <vector>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/view/workspace/arguments.h"
+
+namespace mirrorball {
+namespace {
+
+const auto kWindowOptions = std::to_array<Option<WindowOptions>>({
+    {{.name = "frame-time",
+      .value = "MS",
+      .unit = "milliseconds",
+      .minimum = 1.0,
+      .maximum = 1000.0,
+      .help = "how long a picture may take while something moves: it becomes smaller for that, down to 640 by 360 "
+              "pixels"},
+     &WindowOptions::frame_ms},
+    {{.name = "vsync", .help = "wait for the screen before the next picture is shown; --vsync=no does not"},
+     &WindowOptions::waits_for_screen},
+    {{.name = "theme", .choices = "dark|light", .help = "the colours of menus and panels"},
+     choiceField<&WindowOptions::theme>},
+});
+
+/// The option that a word names; null: it is none of the window's.
+const Option<WindowOptions>* optionOf(std::string_view word) {
+  if (!word.starts_with("--")) return nullptr;
+  const std::string_view name = word.substr(2, word.find('=') - 2);
+  for (const Option<WindowOptions>& option : kWindowOptions)
+    if (option.text.name == name) return &option;
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const Option<WindowOptions>> windowOptions() { return kWindowOptions; }
+
+Result<ViewRequest> viewRequestOf(std::span<const std::string> arguments) {
+  ViewRequest request;
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    request.wants_help = request.wants_help || word == "--help" || word == "-h";
+    const Option<WindowOptions>* option = optionOf(word);
+    if (!option) {
+      others.push_back(word);
+      continue;
+    }
+    const std::size_t equals = word.find('=');
+    std::string text = equals == std::string::npos ? "yes" : word.substr(equals + 1);
+    if (equals == std::string::npos && !option->isFlag()) {
+      if (i + 1 == arguments.size()) return fail(ErrorCode::usage, word + " needs a value");
+      text = arguments[++i];
+    }
+    MIRRORBALL_TRY_VOID(assign(*option, request.window, text));
+  }
+  if (request.wants_help) return request;
+  MIRRORBALL_TRY(workspace, workspaceOf(others));
+  request.workspace = std::move(workspace);
+  return request;
+}
+
+std::string viewHelp() {
+  std::string help =
+      "usage: mirrorball view [FILE…] [OPTIONS]\n\n"
+      "Opens a window on a model in an environment. A FILE is a model, a panorama or another map of all directions, or "
+      "a\n"
+      "workspace; -e MAP shows another environment. All options of `mirrorball render` for the picture, the material "
+      "and\n"
+      "the quality are taken, and --reference compares with the truth. The key ? shows what hands and keys do.\n\n";
+  const WindowOptions defaults;
+  for (const Option<WindowOptions>& option : kWindowOptions) {
+    const std::string_view value = option.text.choices.empty() ? option.text.value : option.text.choices;
+    help += "  --" + std::string(option.text.name) + (value.empty() ? "" : " ") + std::string(value) + "\n      " +
+            std::string(option.text.help) + " (default " + written(option, defaults) + ")\n";
+  }
+  return help;
+}
+
+}  // namespace mirrorball

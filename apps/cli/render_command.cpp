@@ -1,13 +1,15 @@
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/formatted.h"
-#include "cli/picture_paths.h"
 #include "cli/render_frames.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
@@ -19,6 +21,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/numbered_paths.h"
 #include "mirrorball/environment/builtin/sunset.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
@@ -70,6 +73,15 @@ bool playsAnimation(const RenderRequest& request) {
 /// Whether pictures are to make a full turn.
 bool turns(const RenderRequest& request) {
   return request.turntable.frames > 0 && (!playsAnimation(request) || request.given.contains("turn"));
+}
+
+/// errors   usage: a film is asked for
+Result<void> refuseFilm(const std::string& output) {
+  constexpr std::array<std::string_view, 6> kFilms{"mp4", "mov", "webm", "mkv", "avi", "apng"};
+  if (std::ranges::find(kFilms, extensionOf(output)) == kFilms.end()) return {};
+  const std::string pictures = std::filesystem::path(output).stem().string() + "_%04d.png";
+  return fail(ErrorCode::usage, output + ": Mirrorball writes pictures; --frames 90 -o " + pictures +
+                                    " makes those of a turn, and ffmpeg -i " + pictures + " " + output + " the film");
 }
 
 /// errors   usage: no such object is in the scene

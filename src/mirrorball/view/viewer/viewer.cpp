@@ -127,6 +127,7 @@ Result<bool> Viewer::advance(double seconds) {
   state.askDisk(seconds);
   MIRRORBALL_TRY_VOID(state.follow());
   MIRRORBALL_TRY_VOID(state.takeClick());
+  if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
   return state.advanceSides();
 }
 
@@ -157,6 +158,9 @@ ViewerStatus Viewer::status() const {
     status.sides.push_back(state.statusOf(side));
   if (state.isComparing()) status.errors = state.compared.errors();
   state.tellLoading(status);
+  if (state.saving.isRunning()) status.saving = state.saving_path;
+  status.saved = state.saving.share();
+  status.saved_last = state.saved_last;
   return status;
 }
 
@@ -176,6 +180,18 @@ Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 si
 }
 
 Result<void> Viewer::leave() const { return state_->device.leave(); }
+
+void Viewer::savePicture(PictureRequest request) {
+  State& state = *state_;
+  state.saving_path = request.path;
+  state.saved_last.clear();
+  state.saving.begin([request = std::move(request), workspace = state.now(), inside_only = state.options.inside_only,
+                      cache = state.options.cache](const ProgressFunction& progress) {
+    return makePicture(workspace, request, inside_only, cache, progress);
+  });
+}
+
+void Viewer::cancelSaving() { state_->saving.cancel(); }
 
 Result<Image8> Viewer::picture() const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");

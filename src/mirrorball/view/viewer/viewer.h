@@ -11,6 +11,7 @@
 #include "mirrorball/render/stage/device.h"
 #include "mirrorball/render/stage/stage.h"
 #include "mirrorball/view/control/event.h"
+#include "mirrorball/view/viewer/picture_job.h"
 #include "mirrorball/view/viewer/viewer_status.h"
 #include "mirrorball/view/workspace/history.h"
 
@@ -73,6 +74,12 @@ class Viewer {
   ///
   /// errors   no_gl
   Result<void> leave() const;
+  /// Makes a picture file beside the viewer, of the workspace as it is now (makePicture); one that is being made is left.
+  /// The status tells what has become of it.
+  void savePicture(PictureRequest request);
+  /// Stops that.
+  void cancelSaving();
+
   /// What `show` shows: 4 channels, sRGB-encoded, row 0 at the top. Without a comparison as it was drawn, else of the
   /// window's size.
   ///

@@ -91,6 +91,9 @@ struct Viewer::State {
   std::array<DrawnSide, 2> drawn;
   std::array<TracedSide, 2> traced;
   ComparedSides compared;
+  BackgroundTask<std::string> saving = {};
+  std::string saving_path = {};
+  std::string saved_last = {};  ///< ViewerStatus'
   std::array<std::string, 2> problems_of_frames = {};
   std::string problem_of_picking = {};
 };

@@ -28,12 +28,15 @@ struct ErrorText {
   std::string value;  ///< "31.4 dB"
 };
 
-/// What a line of status says.
+/// What lines of status say.
 struct ViewerStatus {
   std::string loading = {};            ///< what is loaded; empty: nothing
   double loaded = 0.0;                 ///< how much of it, 0 … 1
   std::vector<SideStatus> sides = {};  ///< one, or in a comparison two
   std::vector<ErrorText> errors = {};  ///< by how much the first differs from the second
+  std::string saving = {};             ///< the picture file that is being made; empty: none is
+  double saved = 0.0;                  ///< how much of it, 0 … 1
+  std::string saved_last = {};         ///< what was written last, or why it could not be; empty: nothing was yet
   std::string problem = {};            ///< why what was asked for is not shown, one line; empty: it is
 };
 

@@ -1,17 +1,13 @@
-#include "cli/picture_paths.h"
+#include "mirrorball/codec/numbered_paths.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 
-#include "cli/files.h"
 #include "mirrorball/base/file.h"
-#include "mirrorball/base/text.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 /// Where a file name has a picture's number: "%04d" as printf has it, or at least two "#", a digit each.
@@ -61,8 +57,8 @@ Result<std::vector<std::string>> numberedPaths(const std::string& output, int co
   }
   const std::vector<NumberPlace> places = numberPlaces(name);
   if (places.size() != 1)
-    return fail(ErrorCode::usage, "--output " + output + " has " + std::to_string(places.size()) +
-                                      " places for a picture's number; leave one");
+    return fail(ErrorCode::usage,
+                output + ": has " + std::to_string(places.size()) + " places for a picture's number; leave one");
   std::vector<std::string> paths;
   for (int picture = 0; picture < count; ++picture) {
     std::string number = std::to_string(picture);
@@ -72,12 +68,4 @@ Result<std::vector<std::string>> numberedPaths(const std::string& output, int co
   return paths;
 }
 
-Result<void> refuseFilm(const std::string& output) {
-  constexpr std::array<std::string_view, 6> kFilms{"mp4", "mov", "webm", "mkv", "avi", "apng"};
-  if (std::ranges::find(kFilms, extensionOf(output)) == kFilms.end()) return {};
-  const std::string pictures = std::filesystem::path(output).stem().string() + "_%04d.png";
-  return fail(ErrorCode::usage, output + ": Mirrorball writes pictures; --frames 90 -o " + pictures +
-                                    " makes those of a turn, and ffmpeg -i " + pictures + " " + output + " the film");
-}
-
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -5,7 +5,7 @@
 
 #include "mirrorball/base/result.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 
 /// Whether a file's name has a place for a picture's number: "%04d" as printf has it, or at least two "#", a digit
 /// each.
@@ -17,7 +17,4 @@ bool hasNumberPlace(const std::string& path);
 /// errors   usage: the name has several places
 Result<std::vector<std::string>> numberedPaths(const std::string& output, int count);
 
-/// errors   usage: a film is asked for
-Result<void> refuseFilm(const std::string& output);
-
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,0 +1,127 @@
+#include "mirrorball/view/viewer/picture_job.h"
+
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/numbered_paths.h"
+#include "mirrorball/render/frame/render_inputs.h"
+#include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/study/traced_frame.h"
+#include "mirrorball/trace/path_tracer.h"
+
+namespace mirrorball {
+namespace {
+
+Result<void> checkPath(const PictureRequest& request, const FrameSettings& frame) {
+  MIRRORBALL_TRY_VOID(checkWritable(request.path));
+  const std::string extension = extensionOf(request.path);
+  if (frame.background == BackgroundKind::transparent && extension != "png" && extension != "exr")
+    return fail(ErrorCode::usage, request.path + ": ." + extension + " has no transparency; write .png or .exr");
+  return {};
+}
+
+/// What is loaded for it.
+Result<RenderInputNames> namesOf(const Workspace& workspace, const PictureRequest& request, bool inside_only,
+                                 const std::optional<CacheFolder>& cache) {
+  const GivenTexts given = givenFrame(workspace, request.side);
+  MIRRORBALL_TRY(frame, frameOf(given));
+  MIRRORBALL_TRY(quality, qualityOf(given));
+  MIRRORBALL_TRY(materials, materialsOf(workspace.materials));
+  frame.proxy.load.inside_only = inside_only;
+  frame.size = request.size_px;
+  standOnGround(frame);
+  if (storesLinearLight(request.path)) frame.resolve = Resolve::radiance;
+  RenderInputNames names{.model = workspace.model,
+                         .load_model = {.inside_only = inside_only},
+                         .materials = std::move(materials),
+                         .frame = std::move(frame),
+                         .environment = mapOf(workspace, request.side),
+                         .cache = cache};
+  if (isTraced(workspace, request.side)) return names;
+  names.wishes = TechniqueWishes{.quality = quality};
+  for (const auto& option : frameOptions())
+    if (given.contains(option.text.name)) names.wishes->given.insert(option.text.name);
+  return names;
+}
+
+Result<void> write(const std::string& path, const FrameSettings& frame, Image radiance) {
+  const bool has_color = frame.background == BackgroundKind::display_color;
+  const glm::vec4 backdrop = has_color ? glm::vec4(frame.background_color, 1.0f) : glm::vec4(0.0f);
+  if (!storesLinearLight(path))
+    return savePicture(path, displayedPicture(frame.display, std::move(radiance), backdrop));
+  if (has_color) layOver(radiance, backdrop);
+  return writeImage(path, radiance);
+}
+
+Result<void> trace(const Workspace& workspace, const PictureRequest& request, const RenderInputNames& names,
+                   const ProgressFunction& progress) {
+  MIRRORBALL_TRY(inputs, loadSceneInputs(names));
+  MIRRORBALL_TRY_VOID(changeParameters(inputs.scene, workspace));
+  MIRRORBALL_TRY(camera,
+                 framedCamera(inputs.scene, boundingSphere(inputs.scene), names.frame.camera, names.frame.size));
+  MIRRORBALL_TRY(tracer, PathTracer::make(std::move(inputs.scene), std::move(inputs.environment), progress));
+  TraceSettings settings;
+  if (givenFrame(workspace, request.side).contains("samples")) settings.samples = names.frame.samples;
+  MIRRORBALL_TRY(picture, tracer.render(camera, tracedFrame(names.frame, settings), {.progress = progress}));
+  if (picture.is_interrupted) return fail(ErrorCode::interrupted, "interrupted");
+  return write(request.path, names.frame, std::move(picture.radiance));
+}
+
+Result<void> draw(Renderer& renderer, const FrameSettings& frame, const std::string& path,
+                  const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(renderer.draw(frame, progress));
+  if (storesLinearLight(path)) {
+    MIRRORBALL_TRY(radiance, renderer.radiance());
+    return writeImage(path, radiance);
+  }
+  MIRRORBALL_TRY(picture, renderer.picture());
+  return savePicture(path, picture);
+}
+
+/// Each sample of each picture is a step.
+Result<void> drawTurn(Renderer& renderer, FrameSettings frame, const std::vector<std::string>& paths,
+                      const ProgressFunction& progress) {
+  const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
+  frame.camera = framed(renderer.scene(), renderer.bounds(), frame.camera, aspect, FramingOf::whole_turn);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const float angle_deg = 360.0f * static_cast<float>(i) / static_cast<float>(paths.size());
+    const ProgressFunction of_turn = [&](std::size_t done, std::size_t total) {
+      return !progress || progress(i * total + done, paths.size() * total);
+    };
+    MIRRORBALL_TRY_VOID(draw(renderer, turned(frame, Turn::camera, angle_deg), paths[i], of_turn));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> makePicture(const Workspace& workspace, const PictureRequest& request, bool inside_only,
+                                const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(names, namesOf(workspace, request, inside_only, cache));
+  MIRRORBALL_TRY_VOID(checkPath(request, names.frame));
+  if (isTraced(workspace, request.side)) {
+    if (request.frames > 0) return fail(ErrorCode::usage, "the reference makes one picture, and no turntable");
+    MIRRORBALL_TRY_VOID(trace(workspace, request, names, progress));
+    return request.path;
+  }
+  MIRRORBALL_TRY(inputs, loadRenderInputs(names));
+  MIRRORBALL_TRY_VOID(changeParameters(inputs.scene, workspace));
+  const FrameSettings frame = inputs.frame;
+  MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs)));
+  if (request.frames == 0) {
+    MIRRORBALL_TRY_VOID(draw(renderer, frame, request.path, progress));
+    return request.path;
+  }
+  if (!frame.camera.name.empty())
+    return fail(ErrorCode::usage, "the camera '" + frame.camera.name + "' stands still; choose another for a turn");
+  MIRRORBALL_TRY(paths, numberedPaths(request.path, request.frames));
+  MIRRORBALL_TRY_VOID(drawTurn(renderer, frame, paths, progress));
+  return paths.front() + " … " + paths.back();
+}
+
+}  // namespace mirrorball

@@ -107,9 +107,10 @@ void drawRow(Viewer& viewer, const PanelRow& row) {
 
 }  // namespace
 
-void drawPanels(Viewer& viewer, std::string& search) {
+void drawPanels(Viewer& viewer, std::string& search, bool is_wanted) {
   const auto groups = panelsOf(viewer.workspace(), viewer.selectedMaterial());
   if (!groups) return ImGui::TextWrapped("%s", groups.error().message.c_str());
+  if (is_wanted) ImGui::SetKeyboardFocusHere();
   ImGui::InputTextWithHint("##search", "find an option", &search);
   if (!search.empty()) {
     for (const FoundRow& found : searchRows(*groups, search)) drawRow(viewer, (*groups)[found.group].rows[found.row]);

@@ -8,8 +8,9 @@ namespace mirrorball::window {
 
 /// The viewer's panels as widgets of Dear ImGui: draws them, and makes the changes that are asked for.
 ///
-/// search   what stands in the field that rows are found by
-void drawPanels(Viewer& viewer, std::string& search);
+/// search      what stands in the field that rows are found by
+/// is_wanted   whether the keyboard is to write into that field
+void drawPanels(Viewer& viewer, std::string& search, bool is_wanted);
 
 /// The viewer's commands as menus, within a menu bar that has begun.
 void drawCommandMenus(Viewer& viewer);

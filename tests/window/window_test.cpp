@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -12,6 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/image_file.h"
 #include "window/display.h"
 
 namespace mirrorball::testing {
@@ -76,6 +79,20 @@ class WindowTest : public ::testing::Test {
     return !now.empty() && *std::max_element(now.begin(), now.end()) > 100;
   }
 
+  /// Whether a photograph has a picture somewhere, its rows below each other.
+  static bool isOn(const Image8& photograph, const Image8& picture) {
+    for (int top = 0; top + picture.height() <= photograph.height(); ++top)
+      for (int left = 0; left + picture.width() <= photograph.width(); ++left)
+        if (isAt(photograph, picture, left, top)) return true;
+    return false;
+  }
+  static bool isAt(const Image8& photograph, const Image8& picture, int left, int top) {
+    for (int y = 0; y < picture.height(); ++y)
+      if (!std::equal(picture.texel(0, y), picture.texel(0, y) + 3 * picture.width(), photograph.texel(left, top + y)))
+        return false;
+    return true;
+  }
+
   std::string log_ = ::testing::TempDir() + "window.log";
   std::unique_ptr<Display> display_;
   std::unique_ptr<Process> view_;
@@ -94,6 +111,68 @@ TEST_F(WindowTest, AHandTurnsTheModelAndKeysUndoIt) {
   display_->hand("key ctrl+shift+z");
   settle();
   EXPECT_EQ(picture(), turned);
+}
+
+TEST_F(WindowTest, SavesAndShowsWhatRenderDraws) {
+  const std::string saved = ::testing::TempDir() + "window_saved.png";
+  const std::string rendered = ::testing::TempDir() + "window_rendered.png";
+  std::filesystem::remove(saved);
+  open({"teapot", "-e", "studio", "--material", "gold", "--samples", "1"});
+  const Image8 photograph = display_->photograph();
+  display_->hand("key ctrl+p");
+  settle();
+  display_->hand("type --delay 60 " + saved);
+  settle();
+  display_->hand("key Return");
+  for (int tries = 0; tries < 300 && !std::filesystem::exists(saved); ++tries) wait(0.1);
+  const auto picture = readImage(saved);
+  ASSERT_TRUE(picture) << picture.error().message;
+  const std::string size = std::to_string(picture->image.width()) + "x" + std::to_string(picture->image.height());
+  Process render({MIRRORBALL_PROGRAM, "render", "teapot", "-e", "studio", "--material", "gold", "--samples", "1",
+                  "--size", size, "-o", rendered},
+                 log_);
+  ASSERT_EQ(render.waitFor(120.0), 0) << textOf(log_);
+  EXPECT_EQ(textOf(saved), textOf(rendered)) << "byte by byte";
+  EXPECT_TRUE(isOn(photograph, pictureFromLinear(picture->image, 3))) << "and it is what was seen";
+}
+
+TEST_F(WindowTest, ComparesWithTheTruthAtAKey) {
+  open({"sphere", "-e", "studio", "--material", "gold", "--quality", "draft", "--samples", "2"});
+  const Picture drawn = picture();
+  display_->hand("key t");
+  settle();
+  EXPECT_EQ(picture(), drawn) << "while it is traced";
+  display_->hand("key t");
+  settle();
+  const Picture traced = picture();
+  EXPECT_NE(traced, drawn);
+  display_->hand("key t");
+  settle();
+  EXPECT_EQ(picture(), drawn);
+}
+
+TEST_F(WindowTest, FollowsItsManager) {
+  open({"sphere", "-e", "white", "--material", "gold", "--samples", "1"});
+  const std::string window = "search --name ^Mirrorball$ ";
+  for (const char* size : {"1 1", "900 500", "400 1200", "1300 700"}) {
+    display_->hand(window + "windowsize " + size);
+    wait(1.0);
+    ASSERT_TRUE(view_->isRunning()) << size << textOf(log_);
+  }
+  display_->hand(window + "windowminimize");
+  wait(1.0);
+  ASSERT_TRUE(view_->isRunning()) << textOf(log_);
+  EXPECT_FALSE(hasLight()) << "nothing is seen of it";
+  display_->hand(window + "windowactivate --sync");
+  settle();
+  EXPECT_TRUE(hasLight());
+}
+
+TEST_F(WindowTest, ClosesWhileItLoads) {
+  view_ = std::make_unique<Process>(std::vector<std::string>{MIRRORBALL_VIEW, "knot", "-e", "sunset"}, log_);
+  for (int tries = 0; tries < 600 && display_->hand("search --name ^Mirrorball$").empty(); ++tries) wait(0.05);
+  display_->hand("search --name ^Mirrorball$ windowactivate --sync key alt+F4");
+  EXPECT_EQ(view_->waitFor(30.0), 0) << textOf(log_);
 }
 
 TEST_F(WindowTest, ClosesByItsManager) {

@@ -34,7 +34,20 @@ Change cameraChange(std::string name, const Workspace& now, const CameraOptions&
   return {std::move(name), withCamera(now, camera), true};
 }
 
+constexpr auto kTexts = std::to_array<GestureText>({
+    {"left button", "goes round the model; a click selects the material that it meets"},
+    {"Shift and left button, or the middle one", "shifts the picture: what is under the pointer stays there"},
+    {"Ctrl and left button", "looks around from where the camera stands"},
+    {"left button on the line of a comparison", "moves the line"},
+    {"wheel", "comes nearer to what is under the pointer"},
+    {"right button", "comes nearer"},
+    {"Shift and right button", "turns the light"},
+    {"W A S D, E Q", "fly ahead, to the left, back and to the right, up and down"},
+});
+
 }  // namespace
+
+std::span<const GestureText> gestureTexts() { return kTexts; }
 
 std::string chordOf(const KeyPressed& pressed) {
   return std::string(pressed.held.control ? "Ctrl+" : "") + (pressed.held.alt ? "Alt+" : "") +

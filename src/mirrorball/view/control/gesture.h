@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -29,13 +31,14 @@ struct ShownPicture {
   glm::vec3 env_rotation_deg{0.0f};
 };
 
-/// What pointer and keys do to a workspace while they are held:
-/// - the left button goes round the model; with Shift it shifts the picture, with Ctrl the camera looks around;
-/// - the middle button shifts the picture;
-/// - the right button comes nearer; with Shift it turns the light;
-/// - the wheel comes nearer to what is under the pointer;
-/// - in a comparison side by side the left button moves the line between both, if it is pressed there;
-/// - W A S D fly ahead, to the left, back and to the right, E and Q up and down.
+/// What a hand does, for pages of help.
+struct GestureText {
+  std::string_view hand;  ///< "Shift and right button"
+  std::string_view does;
+};
+std::span<const GestureText> gestureTexts();
+
+/// What pointer and keys do to a workspace while they are held: gestureTexts().
 class Gesture {
  public:
   /// returns  what the event changes; nothing: it changes nothing here

@@ -1,0 +1,277 @@
+#include "window/desk.h"
+
+#include <array>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "mirrorball/view/control/commands.h"
+#include "mirrorball/view/control/gesture.h"
+#include "mirrorball/view/workspace/arguments.h"
+#include "mirrorball/view/workspace/workspace_file.h"
+#include "window/panel_widgets.h"
+
+namespace mirrorball::window {
+namespace {
+
+constexpr float kPanelWidth = 340.0f;
+constexpr float kLetterHeight = 13.0f;
+
+/// A word as a shell reads it.
+std::string quotedForShell(const std::string& word) {
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+void drawLine(const std::string& text) { ImGui::TextWrapped("%s", text.c_str()); }
+
+void drawTwoColumns(std::string_view left, std::string_view right) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(left.data(), left.data() + left.size());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(right.data(), right.data() + right.size());
+}
+
+void drawKeys() {
+  if (!ImGui::BeginTable("keys", 2)) return;
+  for (const GestureText& text : gestureTexts()) drawTwoColumns(text.hand, text.does);
+  for (const ViewerCommand& command : viewerCommands())
+    drawTwoColumns(std::string(command.key) + (command.other_key.empty() ? "" : ", ") + std::string(command.other_key),
+                   command.title);
+  for (const auto& [key, does] : std::to_array<std::pair<const char*, const char*>>({{"Ctrl+O", "Open"},
+                                                                                     {"Ctrl+S", "Save the workspace"},
+                                                                                     {"Ctrl+P", "Save a picture"},
+                                                                                     {"Ctrl+K", "Find an option"},
+                                                                                     {"?, F1", "This page"}}))
+    drawTwoColumns(key, does);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+Desk::Desk(GLFWwindow* window, const WindowOptions& options)
+    : window_(window), recent_(RecentFiles::ofUser()), theme_(options.theme) {
+  followMonitor();
+}
+
+void Desk::useTheme(Theme theme) {
+  theme_ = theme;
+  ImGui::GetStyle() = ImGuiStyle();
+  if (theme == Theme::light)
+    ImGui::StyleColorsLight();
+  else
+    ImGui::StyleColorsDark();
+  ImGui::GetStyle().ScaleAllSizes(scale_);
+}
+
+void Desk::followMonitor() {
+  float scale = 1.0f, other = 1.0f;
+  glfwGetWindowContentScale(window_, &scale, &other);
+  if (scale == scale_ || !(scale > 0.0f)) return;
+  scale_ = scale;
+  useTheme(theme_);
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  ImFontConfig config;
+  config.SizePixels = kLetterHeight * scale;
+  fonts.AddFontDefault(&config);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
+}
+
+int Desk::panelWidth() const { return static_cast<int>(kPanelWidth * scale_); }
+int Desk::menuHeight() const {
+  return static_cast<int>(kLetterHeight * scale_ + 2.0f * ImGui::GetStyle().FramePadding.y);
+}
+
+void Desk::open(Viewer& viewer, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    auto opened = withFile(viewer.workspace(), path);
+    if (!opened) {
+      told_ = opened.error().message;
+      continue;
+    }
+    viewer.history().change("Open " + path, std::move(*opened));
+    if (recent_) recent_->note(path);
+  }
+}
+
+bool Desk::handle(Viewer& viewer, const KeyPressed& pressed) {
+  const std::string chord = chordOf(pressed);
+  const auto begin = [&](Dialog dialog) {
+    dialog_ = dialog;
+    dialog_begins_ = true;
+    return true;
+  };
+  if (chord == "Ctrl+O") return begin(Dialog::open);
+  if (chord == "Ctrl+S") return begin(Dialog::save_workspace);
+  if (chord == "Ctrl+P") return begin(Dialog::save_picture);
+  if (chord == "F1" || chord == "?" || chord == "Shift+?" || chord == "Shift+/") return begin(Dialog::keys);
+  if (chord == "Ctrl+K") return wants_search_ = true;
+  if (chord != "Escape" || viewer.status().saving.empty()) return false;
+  viewer.cancelSaving();
+  return true;
+}
+
+void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  drawMenus(viewer);
+  drawDialog(viewer, picture_px);
+  const ImGuiViewport* whole = ImGui::GetMainViewport();
+  const auto width = static_cast<float>(panelWidth());
+  ImGui::SetNextWindowPos({whole->WorkPos.x + whole->WorkSize.x - width, whole->WorkPos.y});
+  ImGui::SetNextWindowSize({width, whole->WorkSize.y});
+  ImGui::Begin("Options", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
+  drawStatus(viewer);
+  drawPanels(viewer, search_, std::exchange(wants_search_, false));
+  ImGui::End();
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Desk::drawMenus(Viewer& viewer) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  drawFileMenu(viewer);
+  drawCommandMenus(viewer);
+  if (ImGui::BeginMenu("Window")) {
+    if (ImGui::MenuItem("Dark", nullptr, theme_ == Theme::dark)) useTheme(Theme::dark);
+    if (ImGui::MenuItem("Light", nullptr, theme_ == Theme::light)) useTheme(Theme::light);
+    if (ImGui::MenuItem("Hands and keys", "?")) handle(viewer, {"?"});
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+void Desk::drawFileMenu(Viewer& viewer) {
+  if (!ImGui::BeginMenu("File")) return;
+  if (ImGui::MenuItem("Open", "Ctrl+O")) handle(viewer, {"O", {.control = true}});
+  if (recent_ && ImGui::BeginMenu("Open again")) {
+    for (const std::string& path : recent_->list())
+      if (ImGui::MenuItem(path.c_str())) open(viewer, {path});
+    ImGui::EndMenu();
+  }
+  if (ImGui::MenuItem("Save the workspace", "Ctrl+S")) handle(viewer, {"S", {.control = true}});
+  if (ImGui::MenuItem("Save a picture", "Ctrl+P")) handle(viewer, {"P", {.control = true}});
+  if (ImGui::MenuItem("Copy as a command line")) copyCommandLine(viewer);
+  if (ImGui::MenuItem("Quit")) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+  ImGui::EndMenu();
+}
+
+void Desk::drawDialog(Viewer& viewer, glm::ivec2 picture_px) {
+  constexpr std::array<const char*, 5> kTitles{"", "Open", "Save the workspace", "Save a picture", "Hands and keys"};
+  const char* const title = kTitles[static_cast<std::size_t>(dialog_)];
+  if (dialog_ == Dialog::none) return;
+  const bool begins = std::exchange(dialog_begins_, false);
+  if (begins) {
+    ImGui::OpenPopup(title);
+    if (dialog_ == Dialog::save_picture) saved_px_ = picture_px;
+  }
+  if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    dialog_ = Dialog::none;
+    return;
+  }
+  bool is_accepted = false;
+  if (dialog_ == Dialog::keys) {
+    drawKeys();
+  } else {
+    if (begins) ImGui::SetKeyboardFocusHere();
+    is_accepted = ImGui::InputText("file", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (dialog_ == Dialog::save_picture) drawSizeFields(picture_px);
+    is_accepted = ImGui::Button("OK") || is_accepted;
+    ImGui::SameLine();
+  }
+  if (is_accepted) accept(viewer);
+  const bool is_left = ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (is_accepted || is_left) {
+    ImGui::CloseCurrentPopup();
+    dialog_ = Dialog::none;
+  }
+  ImGui::EndPopup();
+}
+
+void Desk::drawSizeFields(glm::ivec2 picture_px) {
+  ImGui::InputInt2("size in pixels", &saved_px_.x);
+  ImGui::SameLine();
+  if (ImGui::SmallButton("as seen")) saved_px_ = picture_px;
+  saved_px_ = glm::clamp(saved_px_, glm::ivec2(1), glm::ivec2(16384));
+  ImGui::InputInt("pictures of a turn, 0: one picture", &frames_);
+  frames_ = glm::clamp(frames_, 0, 10000);
+}
+
+void Desk::accept(Viewer& viewer) {
+  told_.clear();
+  if (path_.empty()) return;
+  if (dialog_ == Dialog::open) return open(viewer, {path_});
+  if (dialog_ == Dialog::save_picture)
+    return viewer.savePicture(
+        {.path = path_, .size_px = saved_px_, .frames = frames_, .side = editedSide(viewer.workspace())});
+  const auto saved = saveWorkspace(path_, viewer.workspace());
+  told_ = saved ? "wrote " + path_ : saved.error().message;
+  if (saved && recent_) recent_->note(path_);
+}
+
+void Desk::copyCommandLine(const Viewer& viewer) {
+  const auto words = renderArguments(viewer.workspace(), editedSide(viewer.workspace()));
+  if (!words) {
+    told_ = words.error().message;
+    return;
+  }
+  std::string line = "mirrorball render";
+  for (const std::string& word : *words) line += " " + quotedForShell(word);
+  glfwSetClipboardString(window_, line.c_str());
+  told_ = "copied";
+}
+
+namespace {
+
+void drawSide(const SideStatus& side) {
+  const glm::ivec2 size = side.size_px;
+  if (side.is_traced)
+    ImGui::Text("%d x %d, %d of %d paths, noise %.2g", size.x, size.y, side.samples, side.wanted_samples,
+                static_cast<double>(side.noise));
+  else
+    ImGui::Text("%d x %d, %d of %d samples, %.0f ms", size.x, size.y, side.samples, side.wanted_samples,
+                1e3 * side.sample_s);
+  if (side.light.reads > 0 && !side.is_traced)
+    ImGui::Text("light: %d look-ups, %.1f MiB", side.light.reads,
+                static_cast<double>(side.light.texture_bytes) / 1048576.0);
+}
+
+void drawBar(const std::string& what, double share) {
+  ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, what.c_str());
+}
+
+}  // namespace
+
+void Desk::drawStatus(Viewer& viewer) const {
+  const ViewerStatus status = viewer.status();
+  for (std::size_t i = 0; i < status.sides.size(); ++i) {
+    if (status.sides.size() > 1) {
+      if (ImGui::RadioButton(i == 0 ? "first half" : "second half", editedSide(viewer.workspace()) == i)) {
+        Workspace next = viewer.workspace();
+        next.edited_side = i;
+        viewer.history().change("Edit the other half", std::move(next));
+      }
+    }
+    drawSide(status.sides[i]);
+  }
+  for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());
+  if (!status.loading.empty()) drawBar("loading " + status.loading, status.loaded);
+  if (!status.saving.empty()) {
+    drawBar("writing " + status.saving, status.saved);
+    if (ImGui::SmallButton("stop writing")) viewer.cancelSaving();
+  }
+  if (!status.saved_last.empty()) drawLine(status.saved_last);
+  if (!status.problem.empty()) drawLine(status.problem);
+  if (!told_.empty()) drawLine(told_);
+  ImGui::Separator();
+}
+
+}  // namespace mirrorball::window

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/view/control/event.h"
+#include "mirrorball/view/viewer/viewer.h"
+#include "mirrorball/view/workspace/recent_files.h"
+#include "mirrorball/view/workspace/view_request.h"
+
+struct GLFWwindow;
+
+namespace mirrorball::window {
+
+/// What is drawn beside the picture: menus, dialogs, panels, lines of status; and what is opened and saved with them.
+class Desk {
+ public:
+  /// window   must outlive it; Dear ImGui must be there
+  Desk(GLFWwindow* window, const WindowOptions& options);
+
+  /// Makes all as large as the monitor asks for.
+  void followMonitor();
+
+  /// How wide the panels are, and how high the menus [pixels].
+  int panelWidth() const;
+  int menuHeight() const;
+
+  /// Opens files in turn, and notes them as recent.
+  void open(Viewer& viewer, const std::vector<std::string>& paths);
+
+  /// Takes a key for itself.
+  ///
+  /// returns   whether it did
+  bool handle(Viewer& viewer, const KeyPressed& pressed);
+
+  void draw(Viewer& viewer, glm::ivec2 picture_px);
+
+ private:
+  enum class Dialog { none, open, save_workspace, save_picture, keys };
+
+  void drawMenus(Viewer& viewer);
+  void drawFileMenu(Viewer& viewer);
+  void drawDialog(Viewer& viewer, glm::ivec2 picture_px);
+  void drawSizeFields(glm::ivec2 picture_px);
+  void accept(Viewer& viewer);
+  void drawStatus(Viewer& viewer) const;
+  void copyCommandLine(const Viewer& viewer);
+  void useTheme(Theme theme);
+
+  GLFWwindow* window_;
+  std::optional<RecentFiles> recent_;
+  float scale_ = 0.0f;
+  Theme theme_;
+  Dialog dialog_ = Dialog::none;
+  bool dialog_begins_ = false;
+  bool wants_search_ = false;
+  std::string path_;
+  glm::ivec2 saved_px_{0};
+  int frames_ = 0;
+  std::string search_;
+  std::string told_;
+};
+
+}  // namespace mirrorball::window

@@ -1,4 +1,3 @@
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -6,11 +5,10 @@
 #include "cli/formatted.h"
 #include "cli/map_info.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/cube/cube_layout.h"
 
 namespace mirrorball::cli {
 namespace {
-
-constexpr std::array<const char*, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
 /// Of a unit direction, in which what is next to nothing is rounding.
 std::string directionText(glm::vec3 d) {
@@ -55,7 +53,7 @@ std::string statisticsText(const RadianceStatistics& statistics) {
 std::string coordinateText(Projection projection, int face) {
   switch (faceCount(projection)) {
     case 6:
-      return std::string("face ") + kFaceNames[static_cast<std::size_t>(face)] + ", (s, t)";
+      return "face " + std::string(cubeFaceName(face)) + ", (s, t)";
     case 2:
       return face == 0 ? "front, (u, v)" : "back, (u, v)";
     default:

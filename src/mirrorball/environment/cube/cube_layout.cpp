@@ -69,6 +69,16 @@ Result<CubeLayout> cubeLayoutNamed(std::string_view name) {
 
 glm::ivec2 cellsOf(CubeLayout layout) { return tableOf(layout).cells; }
 
+glm::ivec2 cellOf(CubeLayout layout, int face) {
+  const Cell& cell = tableOf(layout).faces[static_cast<std::size_t>(face)];
+  return {cell.column, cell.row};
+}
+
+std::string_view cubeFaceName(int face) {
+  constexpr std::array<std::string_view, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  return kFaceNames[static_cast<std::size_t>(face)];
+}
+
 std::optional<CubeLayout> layoutOfShape(int width, int height) {
   for (std::size_t index = 1; index < kLayouts.size(); ++index) {
     const glm::ivec2 cells = kLayouts[index].cells;

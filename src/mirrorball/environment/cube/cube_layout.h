@@ -23,6 +23,15 @@ Result<CubeLayout> cubeLayoutNamed(std::string_view name);
 /// Columns and rows of faces in the one picture of a layout; (1, 1) for separate faces.
 glm::ivec2 cellsOf(CubeLayout layout);
 
+/// The column and the row of a face in the one picture of a layout. There it may be turned: −Z of vcross, and those of
+/// `lecture`.
+///
+/// face     0 … 5: +X −X +Y −Y +Z −Z
+glm::ivec2 cellOf(CubeLayout layout, int face);
+
+/// "+X", "-X", "+Y", "-Y", "+Z", "-Z"
+std::string_view cubeFaceName(int face);
+
 /// The one-picture layout whose columns : rows are width : height; of the two that are 4:3, hcross.
 std::optional<CubeLayout> layoutOfShape(int width, int height);
 

@@ -70,6 +70,18 @@ int expectContinuous(CubeLayout layout, const CubeArrangement& arrangement) {
   return neighbours;
 }
 
+TEST(CubeLayout, EachFaceLiesInItsCell) {
+  const ImageSet cube = numberedCube(1);
+  for (std::size_t index = 1; index < cubeLayoutNames().size(); ++index) {
+    const Image picture = composeLayout(cube, layoutAt(index));
+    for (int face = 0; face < 6; ++face) {
+      const glm::ivec2 cell = cellOf(layoutAt(index), face);
+      EXPECT_EQ(rgbAt(picture, cell.x, cell.y), rgbAt(cube.at(0, face), 0, 0))
+          << nameOf(layoutAt(index)) << " " << cubeFaceName(face);
+    }
+  }
+}
+
 TEST(CubeLayout, CrossesAreUnfoldedWithoutABreak) {
   const CubeArrangement ours;
   const WorldAxes z_up{SignedAxis::plus_x, SignedAxis::plus_z, SignedAxis::plus_y};

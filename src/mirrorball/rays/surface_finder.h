@@ -21,8 +21,8 @@ Surfaces surfacesOf(ReliefKind kind);
 class SurfaceFinder {
  public:
   /// scene, geometry   of each other; they must outlive this
-  /// chance            a number in [0, 1), asked for where a surface hides a part of what is behind it: the ray passes if
-  ///                   it is at least the opacity
+  /// chance            a number in [0, 1), asked for where a surface hides a part of what is behind it: the ray passes
+  ///                   if it is at least the opacity
   SurfaceFinder(const Scene& scene, const Geometry& geometry, ReliefKind relief, std::function<float()> chance)
       : scene_(scene), geometry_(geometry), surfaces_(surfacesOf(relief)), chance_(std::move(chance)) {}
 

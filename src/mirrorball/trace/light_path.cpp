@@ -117,7 +117,8 @@ bool Path::needsWavelength(const PathVertex& vertex) const {
 /// How light goes on that is refracted, and is of that wavelength from then on.
 Refraction Path::refractionAt(const PathVertex& vertex, float new_wavelength) const {
   const formula::Material& material = vertex.point.material;
-  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex, wavelength_), .is_thin = vertex.surface->thin_walled};
+  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex, wavelength_),
+                        .is_thin = vertex.surface->thin_walled};
   if (new_wavelength > 0.0f) {  // which waits for light out of the air alone
     refraction.ior = formula::atWavelength(material, new_wavelength).ior;
     refraction.weight = formula::shareOfWavelength(new_wavelength);

@@ -39,7 +39,7 @@ PathVertex pathVertexAt(const Scene& scene, std::span<const glm::mat3> world_fro
           other >= 0 ? &materialOf(scene, std::size_t(other)) : nullptr};
 }
 
-Frame frameOf(const PathVertex& vertex) {
+Frame surfaceFrameOf(const PathVertex& vertex) {
   // A thin surface is the same from both sides; a body has an inside.
   const bool is_inside = vertex.is_body && !vertex.is_outside;
   const bool is_from_behind = !vertex.is_body && !vertex.is_outside;

@@ -35,7 +35,7 @@ PathVertex pathVertexAt(const Scene& scene, std::span<const glm::mat3> world_fro
 
 /// The frame of the surface there, with its tangent turned as the roughness is stretched. Its normal does not turn away
 /// from the ray that arrives; it points outwards of a body, and of other surfaces to the side of the ray.
-Frame frameOf(const PathVertex& vertex);
+Frame surfaceFrameOf(const PathVertex& vertex);
 
 /// The material's numbers, its indices relative to what is on the other side.
 ///

@@ -307,7 +307,7 @@ PathLight Path::follow(Ray ray) {
     }
     if (surfaces_ == settings_.bounces && !settings_.is_unoccluded) return ended();
     const PathVertex vertex = vertexAt(*hit, ray);
-    const Frame frame = frameOf(vertex);
+    const Frame frame = surfaceFrameOf(vertex);
     if (surfaces_ == 0) {
       result.albedo = albedoOf(vertex.point.material);
       result.normal = vertex.is_outside || !vertex.is_body ? frame.n : -frame.n;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <span>
@@ -11,11 +12,16 @@
 namespace mirrorball {
 namespace {
 
+/// What is next to nothing beside the greatest is the rounding of a 0.
 std::string rounded(std::span<const float> numbers) {
+  constexpr float kRounding = 1e-6f;
+  float greatest = 0.0f;
+  for (const float number : numbers) greatest = std::max(greatest, std::abs(number));
   std::string text;
   for (const float number : numbers) {
+    const bool is_rounding = std::abs(number) < kRounding * greatest;
     std::array<char, 32> written{};
-    std::snprintf(written.data(), written.size(), "%.4g", static_cast<double>(number));
+    std::snprintf(written.data(), written.size(), "%.4g", is_rounding ? 0.0 : static_cast<double>(number));
     text += (text.empty() ? "" : ", ") + std::string(written.data());
   }
   return text;

@@ -74,7 +74,7 @@ class Inspector {
   /// size       of the picture [pixels]
   /// pixel      from its top left corner
   /// returns    nothing: the place is outside of the picture, or no number
-  /// cost       some microseconds a segment of its paths
+  /// cost       0.13 ms on one core in a development build, and 1 µs for a further segment of a path; measured
   std::optional<Inspection> inspectedAt(const Camera& camera, glm::ivec2 size, glm::vec2 pixel,
                                         const LightAround& around) const;
 

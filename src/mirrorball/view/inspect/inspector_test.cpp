@@ -58,6 +58,17 @@ TEST(Inspector, TellsWhatTheSurfaceIs) {
   EXPECT_FALSE(inspection->behind);
 }
 
+TEST(Inspector, RowsHaveFourDigits) {
+  Scene scene;
+  addSheet(scene, mirrorOf(1.0f / 3.0f), 0.0f);
+  const auto inspection = inspectorOf(scene).inspectedAt(parallelCamera(0.0f, 30.0f), kInspectedSize,
+                                                         glm::vec2(kInspectedSize) / 2.0f, lightAround());
+  ASSERT_TRUE(inspection);
+  EXPECT_EQ(valueOf(*inspection, "base_color"), "0.3333, 0.3333, 0.3333");
+  EXPECT_EQ(valueOf(*inspection, "reflected direction"), "0, 0.5, -0.866") << "without roundings of a 0";
+  EXPECT_EQ(valueOf(*inspection, "angle"), "60");
+}
+
 TEST(Inspector, WhereNothingIsMetTheEnvironmentIsSeen) {
   Scene ball;
   addPart(ball, sphereMesh(), mirrorOf(0.5f), glm::mat4(glm::mat3(0.5f)));

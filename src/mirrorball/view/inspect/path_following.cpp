@@ -24,7 +24,7 @@ bool isInside(const PathVertex& vertex) { return vertex.is_body && !vertex.is_ou
 
 /// The frame on the side that the ray comes from.
 Frame sideOfRay(const PathVertex& vertex) {
-  const Frame frame = frameOf(vertex);
+  const Frame frame = surfaceFrameOf(vertex);
   return isInside(vertex) ? Frame(-frame.n, frame.t) : frame;
 }
 

@@ -46,7 +46,7 @@ SurfaceShares sharesAt(const PathVertex& vertex);
 ///
 /// is_refracted   begins so
 /// returns        nothing: there is no light that way
-/// cost           of each segment Geometry::hit and surfacePointAt: some microseconds
+/// cost           of each segment Geometry::hit and surfacePointAt: 1 µs for two mirrors; measured
 std::optional<RayPath> followedPath(const PathWorld& world, const PathVertex& first, bool is_refracted);
 
 }  // namespace mirrorball

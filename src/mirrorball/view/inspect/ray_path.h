@@ -21,9 +21,9 @@ struct RaySegment {
 /// How a path ends.
 enum class PathEnd {
   environment,  ///< it meets nothing more
-  matt,         ///< a surface reflects so widely, or nothing at all, that no ray stands for what it shows
-  faint,        ///< next to nothing would get to the eye
-  limit,        ///< there are more surfaces
+  matt,   ///< no ray stands for what a further surface shows: half of its lobe is more than 30° away, or it has none
+  faint,  ///< less than a thousandth of what comes from there would get to the eye
+  limit,  ///< there are more surfaces
 };
 
 /// Light on one way to the eye, followed backwards.
@@ -31,8 +31,8 @@ struct RayPath {
   std::vector<RaySegment> segments;  ///< from the surface that the eye sees on; empty: the eye sees the environment
   PathEnd end = PathEnd::environment;
   // Of PathEnd::environment; else 0 and empty:
-  glm::vec3 direction{0.0f};  ///< where maps show its light: environmentDirection
-  glm::vec3 radiance{0.0f};   ///< radianceOf
+  glm::vec3 direction{0.0f};  ///< where maps show its light, in the environment's own axes, unit
+  glm::vec3 radiance{0.0f};   ///< of that light, linear; times the last segment's share it is what gets to the eye
   /// Of a rough surface: the directions, likewise, that bound half of the light which it shows (lobeOutline), if
   /// nothing is in the way of the path; else empty.
   std::vector<glm::vec3> lobe;

@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/projection/projection.h"
+#include "mirrorball/rays/ray.h"
 #include "mirrorball/scene/camera/camera.h"
-#include "mirrorball/trace/ray.h"
 
 namespace mirrorball {
 

@@ -8,15 +8,13 @@
 #include "formula/bodies.h"
 #include "formula/color.h"
 #include "formula/surface.h"
-#include "formula/tangent.h"
-#include "mirrorball/rays/surface_point.h"
-#include "mirrorball/scene/bodies/surrounding_media.h"
+#include "mirrorball/rays/path_vertex.h"
+#include "mirrorball/rays/surface_finder.h"
 #include "mirrorball/trace/bsdf.h"
 #include "mirrorball/trace/carried_light.h"
 #include "mirrorball/trace/lamp_surface.h"
 #include "mirrorball/trace/layered_bsdf.h"
 #include "mirrorball/trace/path_on_ground.h"
-#include "mirrorball/trace/surface_finder.h"
 
 namespace mirrorball {
 namespace {
@@ -29,17 +27,6 @@ glm::vec3 albedoOf(const formula::Material& material) {
   return glm::mix(material.base_color, formula::metalReflectance(material, 1.0f), material.metallic);
 }
 
-/// The point at which a ray leaves a surface, so far beside it as rounding may have put it on the wrong side.
-glm::vec3 besideHit(const Ray& arriving, const Hit& hit, bool goes_out) {
-  const glm::vec3 towards = goes_out ? hit.geometric_normal : -hit.geometric_normal;
-  if (!hit.relief)
-    return formula::besideSurface(arriving.origin + hit.distance * arriving.direction, hit.distance, towards);
-  // Above and below are told apart by heights.
-  constexpr float kHeights = 1e-3f;
-  return formula::besideSurface(hit.relief->position, hit.distance, towards) +
-         (goes_out ? kHeights : -kHeights) * hit.relief->up;
-}
-
 /// A path on its way from the eye.
 class Path {
  public:
@@ -50,47 +37,33 @@ class Path {
         emitters_(emitters),
         settings_(settings),
         samples_(samples),
-        finder_(world, settings.relief, samples),
+        finder_(world.scene, world.geometry, settings.relief, [&samples] { return samples.nextIndependent(); }),
         on_ground_(surroundings, settings.strategy, samples),
         wavelength_(settings.wavelength_nm / 1000.0f) {}
 
   PathLight follow(Ray ray);
 
  private:
-  /// Where it has met a surface.
-  struct Vertex {
-    Hit hit;
-    Ray arriving;
-    const Material& surface;
-    SurfacePoint point;
-    bool is_body;
-    bool is_outside;
-    const Material* beyond;  ///< the body on its other side: outside of a body, and on both sides of other surfaces
-  };
-
   std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
   glm::vec3 shareThatArrives(Ray ray, float distance);
   bool hasBeenInside(const Ray& ray) const;
   bool meetsSurfaces(const Ray& ray) const;
   float iorOf(const formula::Material& material) const;
-  bool needsWavelength(const Vertex& vertex) const;
-  Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
-  Vertex vertexAt(const Hit& hit, const Ray& ray) const;
-  float iorBeyond(const Vertex& vertex) const;
-  formula::Material materialAt(const Vertex& vertex) const;
+  bool needsWavelength(const PathVertex& vertex) const;
+  Refraction refractionAt(const PathVertex& vertex, float new_wavelength) const;
+  PathVertex vertexAt(const Hit& hit, const Ray& ray) const;
   float shareOfEmitters(glm::vec3 place) const;
   Emitters::Choice sampleEmitter(glm::vec3 place, glm::vec2 u, float share);
   Emitters::Choice sampleLight(glm::vec3 place);
   glm::vec3 emittedAlong(Ray ray, const Emitters::Choice& chosen);
-  float weightOfEmission(const Vertex& vertex) const;
+  float weightOfEmission(const PathVertex& vertex) const;
   void addEmittedToGround(Ray ray);
   glm::vec3 seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
-  glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
-  glm::vec3 coatNormal(const Vertex& vertex) const;
-  Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
+  glm::vec3 lightOfLamps(const PathVertex& vertex, const formula::Material& material, const Frame& frame);
+  glm::vec3 coatNormal(const PathVertex& vertex) const;
   bool survivesRoulette();
-  std::optional<Ray> scatter(const Vertex& vertex, glm::vec3 normal);
+  std::optional<Ray> scatter(const PathVertex& vertex, const Frame& frame);
 
   const World& world_;
   const Surroundings& surroundings_;
@@ -127,48 +100,25 @@ glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
 
 float Path::iorOf(const formula::Material& material) const { return formula::atWavelength(material, wavelength_).ior; }
 
-Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
-  const Scene& scene = world_.scene;
-  const Material& material = materialOf(scene, hit.instance);
-  const bool is_outside = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
-  const int other =
-      formula::fillingBody(is_outside ? ray.media : formula::left(ray.media, static_cast<int>(hit.instance)));
-  return {hit,
-          ray,
-          material,
-          surfacePointAt(scene, world_.world_from_normal[hit.instance], hit, settings_.relief),
-          isBody(material),
-          is_outside,
-          other >= 0 ? &materialOf(scene, std::size_t(other)) : nullptr};
+PathVertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
+  return pathVertexAt(world_.scene, world_.world_from_normal, hit, ray, settings_.relief);
 }
-
-float Path::iorBeyond(const Vertex& vertex) const { return vertex.beyond ? iorOf(*vertex.beyond) : 1.0f; }
 
 /// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes out of
 /// the air, the choice can wait until it is refracted, so that what is reflected has no noise of colours; else a
 /// channel's own critical angle would be in the way.
-bool Path::needsWavelength(const Vertex& vertex) const {
+bool Path::needsWavelength(const PathVertex& vertex) const {
   if (wavelength_ > 0.0f || !vertex.is_body) return false;
   const formula::Material& material = vertex.point.material;
   const bool is_from_air = vertex.is_outside && !vertex.beyond && material.ior >= 1.0f;
   return (material.dispersion > 0.0f && !is_from_air) || (vertex.beyond && vertex.beyond->dispersion > 0.0f);
 }
 
-/// The material's numbers, its indices relative to what is on the other side.
-formula::Material Path::materialAt(const Vertex& vertex) const {
-  formula::Material material = formula::atWavelength(vertex.point.material, wavelength_);
-  const float beyond = iorBeyond(vertex);
-  material.ior /= beyond;
-  material.conductor_n /= beyond;
-  material.conductor_k /= beyond;
-  if (vertex.beyond) material.dispersion = 0.0f;
-  return material;
-}
-
 /// How light goes on that is refracted, and is of that wavelength from then on.
-Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const {
+Refraction Path::refractionAt(const PathVertex& vertex, float new_wavelength) const {
   const formula::Material& material = vertex.point.material;
-  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex), .is_thin = vertex.surface.thin_walled};
+  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex, wavelength_),
+                        .is_thin = vertex.surface->thin_walled};
   if (new_wavelength > 0.0f) {  // which waits for light out of the air alone
     refraction.ior = formula::atWavelength(material, new_wavelength).ior;
     refraction.weight = formula::shareOfWavelength(new_wavelength);
@@ -217,7 +167,7 @@ glm::vec3 Path::emittedAlong(Ray ray, const Emitters::Choice& chosen) {
 }
 
 /// How much the light of a surface counts that the path has met.
-float Path::weightOfEmission(const Vertex& vertex) const {
+float Path::weightOfEmission(const PathVertex& vertex) const {
   if (light_.emitter_share <= 0.0f || light_.pdf <= 0.0f) return 1.0f;
   const float pdf = light_.emitter_share * emitters_.pdf(vertex.hit, vertex.arriving.direction);
   return pdf > 0.0f ? light_.weightBeside(pdf, settings_.strategy) : 1.0f;
@@ -239,13 +189,13 @@ void Path::addEmittedToGround(Ray ray) {
 }
 
 /// The normal of a clear coat, on the side that the ray comes from.
-glm::vec3 Path::coatNormal(const Vertex& vertex) const {
+glm::vec3 Path::coatNormal(const PathVertex& vertex) const {
   const glm::vec3 outwards = vertex.point.coat_normal;
   return formula::facingNormal(vertex.is_outside ? outwards : -outwards, vertex.arriving.direction);
 }
 
 /// Phong's point lights and the model's own, as far as nothing is in their way. They light the outside of bodies.
-glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame) {
+glm::vec3 Path::lightOfLamps(const PathVertex& vertex, const formula::Material& material, const Frame& frame) {
   const std::vector<ModelLight>& of_model = world_.scene.lights;
   const bool is_inside = vertex.is_body && !vertex.is_outside;
   if ((settings_.lights.empty() && of_model.empty()) || is_inside) return glm::vec3(0.0f);
@@ -258,28 +208,11 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
     if (shown == glm::vec3(0.0f)) return;
     const bool is_far = lamp.kind == formula::kLampDirectional;
     const float distance = is_far ? INFINITY : glm::distance(lamp.position, place);
-    light += shown * shareThatArrives(leaving(vertex, formula::towardsLamp(lamp, place)), distance);
+    light += shown * shareThatArrives(leavingRay(vertex, formula::towardsLamp(lamp, place)), distance);
   };
   for (const PointLight& lamp : settings_.lights) add(lampOf(lamp), 1.0f);
   for (const ModelLight& lamp : of_model) add(lamp, settings_.light_intensity);
   return light;
-}
-
-/// The ray that leaves a surface.
-Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
-  const Ray& arriving = vertex.arriving;
-  const Hit& hit = vertex.hit;
-  const bool goes_out = glm::dot(direction, hit.geometric_normal) >= 0.0f;
-  const bool crosses = goes_out != vertex.is_outside;
-  Ray ray{.origin = besideHit(arriving, hit, goes_out),
-          .direction = direction,
-          .from = hit,
-          .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
-          .media = arriving.media};
-  const int body = static_cast<int>(hit.instance);
-  if (crosses && vertex.is_body)
-    ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface.priority);
-  return ray;
 }
 
 /// Ends dark paths at random; the others count for those that are ended.
@@ -294,7 +227,7 @@ bool Path::survivesRoulette() {
 /// Adds the light that reaches the surface directly.
 ///
 /// returns  how the path goes on, if it does
-std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
+std::optional<Ray> Path::scatter(const PathVertex& vertex, const Frame& frame) {
   const bool disperses = vertex.is_body && vertex.point.material.dispersion > 0.0f && wavelength_ == 0.0f;
   float new_wavelength = disperses ? formula::sampleWavelength(samples_.next().x) : 0.0f;
   if (needsWavelength(vertex)) {
@@ -302,10 +235,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
     light_.throughput *= formula::shareOfWavelength(wavelength_);
     new_wavelength = 0.0f;
   }
-  const formula::Material material = materialAt(vertex);
-  glm::vec2 stretched = vertex.point.stretched;
-  if (!vertex.is_outside && !vertex.is_body) stretched.y = -stretched.y;  // from behind, the normal is turned round
-  const Frame frame(normal, formula::turnedTangent(vertex.point.tangent, normal, stretched));
+  const formula::Material material = materialAgainstBeyond(vertex, wavelength_);
   LayeredBsdf bsdf(material, refractionAt(vertex, new_wavelength), frame);
   if (vertex.is_outside || !vertex.is_body) {
     bsdf.addSheen(material);
@@ -318,7 +248,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   const LayeredScattering scattered = bsdf.scatter(-vertex.arriving.direction, light.sample, samples_);
   const auto& [direct, next, enters] = scattered.scattering;
   if (direct != glm::vec3(0.0f)) {
-    const Ray towards = leaving(vertex, light.sample.direction);
+    const Ray towards = leavingRay(vertex, light.sample.direction);
     light_.sum +=
         light_.throughput * direct *
         (light.is_emitter ? emittedAlong(towards, light)
@@ -329,7 +259,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
   light_.throughput *= next->weight;
   light_.pdf = next->pdf;
-  return leaving(vertex, glm::normalize(next->direction));
+  return leavingRay(vertex, glm::normalize(next->direction));
 }
 
 /// Adds the light of the environment along a ray.
@@ -376,20 +306,17 @@ PathLight Path::follow(Ray ray) {
       continue;
     }
     if (surfaces_ == settings_.bounces && !settings_.is_unoccluded) return ended();
-    const Vertex vertex = vertexAt(*hit, ray);
-    // A thin surface is the same from both sides; a body has an inside.
-    const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
-    glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
-    normal = facing * formula::facingNormal(facing * normal, ray.direction);
+    const PathVertex vertex = vertexAt(*hit, ray);
+    const Frame frame = surfaceFrameOf(vertex);
     if (surfaces_ == 0) {
       result.albedo = albedoOf(vertex.point.material);
-      result.normal = facing * normal;
+      result.normal = vertex.is_outside || !vertex.is_body ? frame.n : -frame.n;
     }
-    if (vertex.surface.unlit) {
+    if (vertex.surface->unlit) {
       light_.sum += light_.throughput * weightOfEmission(vertex) * vertex.point.material.emission;
       return ended();
     }
-    const auto next = scatter(vertex, normal);
+    const auto next = scatter(vertex, frame);
     if (!next || (surfaces_ >= kFirstRoulette && !survivesRoulette())) return ended();
     ray = *next;
   }
@@ -400,15 +327,6 @@ PathLight Path::follow(Ray ray) {
 PathLight lightAlong(const World& world, const Surroundings& surroundings, const Emitters& emitters,
                      const TraceSettings& settings, Ray ray, SampleSequence& samples) {
   return Path(world, surroundings, emitters, settings, samples).follow(ray);
-}
-
-formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief) {
-  return surroundingMedia(
-      world.scene, point, [&](glm::vec3 origin, glm::vec3 direction, float nearest) -> std::optional<Crossing> {
-        const auto hit = world.geometry.hit(origin, direction, nearest, surfacesOf(relief));
-        if (!hit) return std::nullopt;
-        return Crossing{hit->distance, hit->instance, glm::dot(direction, hit->geometric_normal) < 0.0f};
-      });
 }
 
 }  // namespace mirrorball

@@ -2,9 +2,9 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/rays/ray.h"
 #include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/trace/emitters.h"
-#include "mirrorball/trace/ray.h"
 #include "mirrorball/trace/surroundings.h"
 #include "mirrorball/trace/trace_settings.h"
 #include "mirrorball/trace/world.h"
@@ -25,8 +25,5 @@ struct PathLight {
 /// cost     docs/performance/paths.md has paths a second
 PathLight lightAlong(const World& world, const Surroundings& surroundings, const Emitters& emitters,
                      const TraceSettings& settings, Ray ray, SampleSequence& samples);
-
-/// The bodies that a point lies in: those that at least two of three rays from there leave and have not entered.
-formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief);
 
 }  // namespace mirrorball

@@ -4,9 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/rays/ray.h"
 #include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/trace/carried_light.h"
-#include "mirrorball/trace/ray.h"
 #include "mirrorball/trace/surroundings.h"
 #include "mirrorball/trace/trace_settings.h"
 

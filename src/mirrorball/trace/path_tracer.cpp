@@ -9,6 +9,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/path_vertex.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/trace/camera_rays.h"
 #include "mirrorball/trace/film.h"
@@ -176,8 +177,9 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
 Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettings& settings,
                                          const TraceObserver& observer) const {
   MIRRORBALL_TRY_VOID(state_->makeReliefs(settings));
-  const formula::Media media =
-      camera.orthographic ? formula::Media() : mediaAt(*state_, camera.position, settings.relief);
+  const formula::Media media = camera.orthographic
+                                   ? formula::Media()
+                                   : mediaAt(state_->scene, state_->geometry, camera.position, settings.relief);
   TracedPicture picture;
   MIRRORBALL_TRY(film, state_->trace(raysOf(camera, settings.size, media), settings, picture, observer));
   picture.radiance = film.radiance();
@@ -194,7 +196,7 @@ Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSetting
   settings.wants_layers = false;
   TracedMap traced;
   const CameraRays rays = raysOfMap(capture.projection, size, capture.position, capture.nearest,
-                                    mediaAt(*state_, capture.position, settings.relief));
+                                    mediaAt(state_->scene, state_->geometry, capture.position, settings.relief));
   MIRRORBALL_TRY(film, state_->trace(rays, settings, traced.state, observer));
   traced.map = EnvironmentMap(capture.projection, cutIntoFaces(film.radiance(), capture.projection, size));
   return traced;

@@ -105,7 +105,8 @@ MappedPlace MappedSurface::at(const CoverSample& sample) const {
 
 glm::vec3 MappedSurface::objectNormal(std::uint32_t instance, glm::vec3 world) const {
   // The inverse of the inverse's transpose.
-  return unitOrElse(glm::transpose(glm::dmat3(scene_->instances[instance].world_from_object)) * glm::dvec3(world), world);
+  const glm::dmat3 world_from_object(scene_->instances[instance].world_from_object);
+  return unitOrElse(glm::transpose(world_from_object) * glm::dvec3(world), world);
 }
 
 glm::vec3 MappedSurface::worldNormal(std::uint32_t instance, glm::vec3 object) const {

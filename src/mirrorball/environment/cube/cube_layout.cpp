@@ -88,6 +88,14 @@ std::optional<CubeLayout> layoutOfShape(int width, int height) {
   return std::nullopt;
 }
 
+glm::vec2 placeInLayout(const MapPosition& place, CubeLayout layout) {
+  const LayoutTable& table = tableOf(layout);
+  const Cell& cell = table.faces[static_cast<std::size_t>(place.face)];
+  glm::vec2 uv = place.uv;
+  for (int quarter = 0; quarter < cell.quarters; ++quarter) uv = {1.0f - uv.y, uv.x};
+  return (glm::vec2(cell.column, cell.row) + uv) / glm::vec2(table.cells);
+}
+
 Image composeLayout(const ImageSet& faces, CubeLayout layout) {
   assert(faces.faces() == 6 && layout != CubeLayout::faces);
   const LayoutTable& table = tableOf(layout);

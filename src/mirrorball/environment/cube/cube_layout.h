@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/environment/projection/projection.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -34,6 +35,13 @@ std::string_view cubeFaceName(int face);
 
 /// The one-picture layout whose columns : rows are width : height; of the two that are 4:3, hcross.
 std::optional<CubeLayout> layoutOfShape(int width, int height);
+
+/// Where a place of a cube lies in the one picture of a layout.
+///
+/// place    of a face, 0 … 5
+/// layout   any but `faces`
+/// returns  shares of the picture's width and height, from its top left corner
+glm::vec2 placeInLayout(const MapPosition& place, CubeLayout layout);
 
 /// Six images of one size as one picture. Cells without a face are black.
 ///

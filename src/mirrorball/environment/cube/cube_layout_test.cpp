@@ -38,6 +38,21 @@ TEST(CubeLayout, EveryLayoutComesBack) {
   }
 }
 
+TEST(CubeLayout, APlaceOfAFaceIsFoundInThePicture) {
+  constexpr int kSide = 4;
+  const ImageSet cube = numberedCube(kSide);
+  for (std::size_t index = 1; index < cubeLayoutNames().size(); ++index) {
+    const Image picture = composeLayout(cube, layoutAt(index));
+    for (int face = 0; face < 6; ++face)
+      for (const glm::ivec2 texel : {glm::ivec2(0, 0), glm::ivec2(3, 0), glm::ivec2(1, 2)}) {
+        const glm::vec2 place = placeInLayout({face, (glm::vec2(texel) + 0.5f) / float(kSide)}, layoutAt(index));
+        const glm::ivec2 found(place * glm::vec2(picture.width(), picture.height()));
+        EXPECT_EQ(rgbAt(picture, found.x, found.y), rgbAt(cube.at(0, face), texel.x, texel.y))
+            << nameOf(layoutAt(index)) << " face " << face;
+      }
+  }
+}
+
 /// How many pairs of cells with faces, side by side or one above the other, a cube has in one picture; expects the
 /// picture to go on from each into the other: texels on both sides of the edge lie in nearly the same direction.
 int expectContinuous(CubeLayout layout, const CubeArrangement& arrangement) {

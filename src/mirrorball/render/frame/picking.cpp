@@ -36,25 +36,21 @@ glm::vec2 uvAt(const Mesh& mesh, const Hit& hit) {
 
 }  // namespace
 
-std::optional<Picked> pickAlong(const EyeRay& ray, const Scene& scene, const Geometry& geometry,
-                                const FrameSettings& settings) {
-  const Surfaces surfaces = movesSurface(settings.relief) ? Surfaces::reliefs : Surfaces::triangles;
-  const std::optional<Hit> hit = firstSeen(ray, scene, geometry, surfaces);
-  if (!hit) return std::nullopt;
-  const Instance& instance = scene.instances[hit->instance];
+Picked pickedAt(const EyeRay& ray, const Hit& hit, const Scene& scene, ReliefKind relief) {
+  const Instance& instance = scene.instances[hit.instance];
   const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
   const Material& material = scene.materials[std::size_t(mesh.material)];
   const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(instance.world_from_object)));
-  Picked picked{.instance = hit->instance,
+  Picked picked{.instance = hit.instance,
                 .node = instance.node,
                 .material = std::size_t(mesh.material),
-                .triangle = hit->triangle,
-                .position = hit->relief ? hit->relief->position : ray.origin + hit->distance * ray.direction,
-                .uv = uvAt(mesh, *hit)};
-  const glm::vec2 b = hit->barycentric;
-  picked.smooth_normal = placedTriangle(mesh, instance, hit->triangle).normalAt({1.0f - b.x - b.y, b});
-  picked.normal = surfacePointAt(scene, world_from_normal, *hit, settings.relief).normal;
-  const bool is_back = glm::dot(ray.direction, hit->geometric_normal) > 0.0f;
+                .triangle = hit.triangle,
+                .position = hit.relief ? hit.relief->position : ray.origin + hit.distance * ray.direction,
+                .uv = uvAt(mesh, hit)};
+  const glm::vec2 b = hit.barycentric;
+  picked.smooth_normal = placedTriangle(mesh, instance, hit.triangle).normalAt({1.0f - b.x - b.y, b});
+  picked.normal = surfacePointAt(scene, world_from_normal, hit, relief).normal;
+  const bool is_back = glm::dot(ray.direction, hit.geometric_normal) > 0.0f;
   const glm::vec3 facing = is_back ? -picked.normal : picked.normal;
   picked.reflected = glm::reflect(ray.direction, facing);
   if (material.transmission > 0.0f) {
@@ -63,6 +59,14 @@ std::optional<Picked> pickAlong(const EyeRay& ray, const Scene& scene, const Geo
     if (glm::dot(refracted, refracted) > 0.0f) picked.refracted = refracted;
   }
   return picked;
+}
+
+std::optional<Picked> pickAlong(const EyeRay& ray, const Scene& scene, const Geometry& geometry,
+                                const FrameSettings& settings) {
+  const Surfaces surfaces = movesSurface(settings.relief) ? Surfaces::reliefs : Surfaces::triangles;
+  const std::optional<Hit> hit = firstSeen(ray, scene, geometry, surfaces);
+  if (!hit) return std::nullopt;
+  return pickedAt(ray, *hit, scene, settings.relief);
 }
 
 }  // namespace mirrorball

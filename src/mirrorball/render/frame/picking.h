@@ -29,9 +29,13 @@ struct Picked {
   glm::vec3 radiance{0.0f};  ///< of the last sample of the pixel, with all that shines through
 };
 
+/// What is told of the place where a ray has met a scene; `radiance` is left to who draws.
+///
+/// scene    prepared for that relief
+Picked pickedAt(const EyeRay& ray, const Hit& hit, const Scene& scene, ReliefKind relief);
+
 /// The first surface that an eye's ray meets: of one side alone, those that turn it to the eye; with holes of masks,
-/// and of what is blended all that is not wholly clear. A camera in a body of glass sees what is in it. `radiance` is
-/// left to who draws.
+/// and of what is blended all that is not wholly clear. A camera in a body of glass sees what is in it.
 ///
 /// scene      prepared for the settings' relief
 /// geometry   of the scene, with its reliefs where the settings show them as surfaces

@@ -1,4 +1,4 @@
-#include "mirrorball/trace/surface_finder.h"
+#include "mirrorball/rays/surface_finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Surfaces surfacesOf(ReliefKind kind) { return movesSurface(kind) ? Surfaces::rel
 bool SurfaceFinder::passes(const Hit& hit, Ray& ray, bool meets_bodies_alone) {
   if (ray.from && !ray.from->relief && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle)
     return true;
-  const Material& material = materialOf(world_.scene, hit.instance);
+  const Material& material = materialOf(scene_, hit.instance);
   const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
@@ -37,8 +37,8 @@ bool SurfaceFinder::passes(const Hit& hit, Ray& ray, bool meets_bodies_alone) {
 
 /// Whether a surface is cut away there, or lets this ray through.
 bool SurfaceFinder::isHole(const Hit& hit) {
-  const float opacity = opacityAt(world_.scene, hit);
-  return opacity <= 0.0f || (opacity < 1.0f && samples_.nextIndependent() >= opacity);
+  const float opacity = opacityAt(scene_, hit);
+  return opacity <= 0.0f || (opacity < 1.0f && chance_() >= opacity);
 }
 
 std::optional<Hit> SurfaceFinder::first(Ray& ray, float farthest, bool meets_bodies_alone, glm::vec3& share) {
@@ -49,7 +49,7 @@ std::optional<Hit> SurfaceFinder::first(Ray& ray, float farthest, bool meets_bod
   };
   float nearest = 0.0f;
   for (int passed = 0;; ++passed) {
-    const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest, surfaces_);
+    const auto hit = geometry_.hit(ray.origin, ray.direction, nearest, surfaces_);
     const bool is_reached = hit && hit->distance < farthest;
     const formula::Media before = ray.media;
     const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray, meets_bodies_alone);
@@ -64,7 +64,7 @@ std::optional<Hit> SurfaceFinder::first(Ray& ray, float farthest, bool meets_bod
 glm::vec3 SurfaceFinder::transmittance(const formula::Media& media, float distance) const {
   const int filling = formula::fillingBody(media);
   if (filling < 0) return glm::vec3(1.0f);
-  const Material& material = materialOf(world_.scene, std::size_t(filling));
+  const Material& material = materialOf(scene_, std::size_t(filling));
   return formula::bodyTransmittance(material.attenuation_color, material.attenuation_distance, distance);
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/rays/sample_sequence.h"
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/rays/ray.h"
 #include "mirrorball/scene/relief/relief.h"
-#include "mirrorball/trace/ray.h"
-#include "mirrorball/trace/world.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
@@ -18,9 +20,11 @@ Surfaces surfacesOf(ReliefKind kind);
 /// that has only a front, or that of a body where another one fills the place.
 class SurfaceFinder {
  public:
-  /// world, samples   must outlive this
-  SurfaceFinder(const World& world, ReliefKind relief, SampleSequence& samples)
-      : world_(world), surfaces_(surfacesOf(relief)), samples_(samples) {}
+  /// scene, geometry   of each other; they must outlive this
+  /// chance            a number in [0, 1), asked for where a surface hides a part of what is behind it: the ray passes
+  ///                   if it is at least the opacity
+  SurfaceFinder(const Scene& scene, const Geometry& geometry, ReliefKind relief, std::function<float()> chance)
+      : scene_(scene), geometry_(geometry), surfaces_(surfacesOf(relief)), chance_(std::move(chance)) {}
 
   /// The first one, if it is not farther away than that.
   ///
@@ -34,9 +38,10 @@ class SurfaceFinder {
   bool isHole(const Hit& hit);
   glm::vec3 transmittance(const formula::Media& media, float distance) const;
 
-  const World& world_;
+  const Scene& scene_;
+  const Geometry& geometry_;
   Surfaces surfaces_;
-  SampleSequence& samples_;
+  std::function<float()> chance_;
 };
 
 }  // namespace mirrorball

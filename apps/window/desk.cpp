@@ -124,12 +124,15 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   ImGui::NewFrame();
   drawMenus(viewer);
   drawDialog(viewer, picture_px);
+  const UnderPointer under = viewer.underPointer();
+  drawOverPicture(under, {0.0f, static_cast<float>(menuHeight())});
   const ImGuiViewport* whole = ImGui::GetMainViewport();
   const auto width = static_cast<float>(panelWidth());
   ImGui::SetNextWindowPos({whole->WorkPos.x + whole->WorkSize.x - width, whole->WorkPos.y});
   ImGui::SetNextWindowSize({width, whole->WorkSize.y});
   ImGui::Begin("Options", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
   drawStatus(viewer);
+  drawUnderPointer(under);
   drawPanels(viewer, search_, std::exchange(wants_search_, false));
   ImGui::End();
   ImGui::Render();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -123,6 +124,71 @@ void drawPanels(Viewer& viewer, std::string& search, bool is_wanted) {
     if (ImGui::Button(("Reset " + title).c_str()))
       viewer.history().change("Reset " + title, withoutGroup(viewer.workspace(), group.title));
   }
+}
+
+namespace {
+
+ImU32 colorOf(glm::vec3 color) { return ImGui::GetColorU32({color.x, color.y, color.z, 1.0f}); }
+ImVec2 placeOf(glm::vec2 place) { return {place.x, place.y}; }
+
+void drawLines(ImDrawList& list, const std::vector<DrawnLine>& lines, glm::vec2 corner, glm::vec2 scale) {
+  for (const DrawnLine& line : lines)
+    for (std::size_t i = 1; i < line.places.size(); ++i)
+      list.AddLine(placeOf(corner + scale * line.places[i - 1]), placeOf(corner + scale * line.places[i]),
+                   colorOf(line.color), 1.5f);
+}
+
+void drawDot(ImDrawList& list, glm::vec2 place, glm::vec3 color) {
+  constexpr float kRadius = 4.0f;
+  list.AddCircleFilled(placeOf(place), kRadius, colorOf(color));
+  list.AddCircle(placeOf(place), kRadius + 1.0f, colorOf(glm::vec3(0.0f)));
+}
+
+void drawPlot(const Plot& plot) {
+  constexpr float kHeight = 100.0f;
+  ImGui::TextWrapped("%s", plot.title.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const glm::vec2 size(ImGui::GetContentRegionAvail().x, kHeight);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_Border));
+  drawLines(list, plot.lines, {corner.x, corner.y}, size);
+  if (plot.dot) drawDot(list, glm::vec2(corner.x, corner.y) + *plot.dot * size, glm::vec3(1.0f));
+  ImGui::Dummy({size.x, size.y});
+}
+
+void drawMarkedPicture(const MarkedPicture& picture) {
+  ImGui::TextUnformatted(picture.title.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.texture)), placeOf(picture.size_px),
+               {0, 1}, {1, 0});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  drawLines(list, picture.lines, {corner.x, corner.y}, glm::vec2(1.0f));
+  for (const DrawnLine& dot : picture.dots)
+    for (const glm::vec2 place : dot.places) drawDot(list, glm::vec2(corner.x, corner.y) + place, dot.color);
+}
+
+}  // namespace
+
+void drawUnderPointer(const UnderPointer& under) {
+  if (under.rows.empty() && under.maps.empty()) return;
+  if (!ImGui::CollapsingHeader("Under the pointer", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  for (const MarkedPicture& picture : under.maps) drawMarkedPicture(picture);
+  for (const Plot& plot : under.plots) drawPlot(plot);
+  if (!ImGui::BeginTable("rows", 2, ImGuiTableFlags_SizingStretchProp)) return;
+  for (const InspectionRow& row : under.rows) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.name.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s %s", row.value.c_str(), row.unit.c_str());
+  }
+  ImGui::EndTable();
+}
+
+void drawOverPicture(const UnderPointer& under, glm::vec2 corner) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  drawLines(list, under.lines, corner, glm::vec2(1.0f));
+  for (const DrawnText& text : under.texts)
+    list.AddText(placeOf(corner + text.corner), colorOf(glm::vec3(0.9f)), text.text.c_str());
 }
 
 void drawCommandMenus(Viewer& viewer) {

@@ -12,6 +12,14 @@ namespace mirrorball::window {
 /// is_wanted   whether the keyboard is to write into that field
 void drawPanels(Viewer& viewer, std::string& search, bool is_wanted);
 
+/// What is told of the place under the pointer, as rows, plots and small pictures.
+void drawUnderPointer(const UnderPointer& under);
+
+/// What is drawn and written over the picture.
+///
+/// corner   upper left one of the picture in the window
+void drawOverPicture(const UnderPointer& under, glm::vec2 corner);
+
 /// The viewer's commands as menus, within a menu bar that has begun.
 void drawCommandMenus(Viewer& viewer);
 

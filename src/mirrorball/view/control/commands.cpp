@@ -32,6 +32,12 @@ void compare(History& history) {
   history.change("Compare", std::move(next));
 }
 
+/// By half a stop.
+template <int by>
+void expose(History& history) {
+  history.change("Exposure", exposedBy(history.now(), 0.5f * static_cast<float>(by)));
+}
+
 constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"undo", "Undo", "Edit", "Ctrl+Z", "", [](History& history) { (void)history.undo(); }},
     {"redo", "Do again", "Edit", "Ctrl+Shift+Z", "Ctrl+Y", [](History& history) { (void)history.redo(); }},
@@ -47,6 +53,20 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"view-bottom", "From below", "Camera", "Ctrl+7", "", lookAlong<AxisView::bottom>},
     {"next-map", "Next panorama", "Light", "]", "", stepMap<1>},
     {"previous-map", "Panorama before", "Light", "[", "", stepMap<-1>},
+    {"brighter", "Brighter", "Light", "=", "Shift+=", expose<1>},
+    {"darker", "Darker", "Light", "-", "", expose<-1>},
+    {"show-map", "The map alone", "Light", "M", "",
+     [](History& history) {
+       Workspace next = history.now();
+       next.shows_map = !next.shows_map;
+       history.change("The map alone", std::move(next));
+     }},
+    {"inspect", "Inspect what is under the pointer", "Camera", "I", "",
+     [](History& history) {
+       Workspace next = history.now();
+       next.inspects = !next.inspects;
+       history.change("Inspect", std::move(next));
+     }},
     {"compare-slider", "Compare side by side", "Compare", "C", "", compare<CompareBy::slider>},
     {"compare-flip", "Compare by flipping", "Compare", "Shift+C", "", compare<CompareBy::flip>},
     {"compare-difference", "Show the difference", "Compare", "Ctrl+D", "", compare<CompareBy::difference>},

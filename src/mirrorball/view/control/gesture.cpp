@@ -7,6 +7,7 @@
 
 #include "mirrorball/view/control/camera_control.h"
 #include "mirrorball/view/control/light_control.h"
+#include "mirrorball/view/map/map_hand.h"
 
 namespace mirrorball {
 namespace {
@@ -101,12 +102,33 @@ std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const
                 true};
 }
 
+MapCanvas mapCanvas(glm::ivec2 size_px) { return {.size_px = size_px}; }
+
+/// Of a map alone one looks around from inside.
+std::optional<Change> Gesture::handleMap(const Event& event, const Workspace& now, glm::ivec2 size_px) {
+  const auto settings = mapViewOf(now);
+  if (!settings) return std::nullopt;
+  const MapCanvas canvas = mapCanvas(size_px);
+  if (const auto* moved = std::get_if<PointerMoved>(&event); moved && held_) {
+    const glm::vec2 from_px = std::exchange(held_->place_px, moved->place_px);
+    return Change{"Look around in the map", withMapView(now, dragged(*settings, canvas, from_px, moved->place_px)),
+                  true};
+  }
+  if (const auto* scrolled = std::get_if<Scrolled>(&event)) {
+    const float factor = std::pow(kNearerForNotch, scrolled->notches);
+    return Change{"Zoom in the map", withMapView(now, zoomed(*settings, canvas, factor, scrolled->place_px)), true};
+  }
+  return std::nullopt;
+}
+
 bool Gesture::asksForPicture(const Event& event, const Workspace& now) const {
   if (now.compare_by == CompareBy::slider && std::holds_alternative<PointerPressed>(event)) return true;
   return std::holds_alternative<Scrolled>(event) || (held_ && std::holds_alternative<PointerMoved>(event));
 }
 
 std::optional<Change> Gesture::handle(const Event& event, const Workspace& now, const ShownPicture& shown) {
+  const bool is_of_map = std::holds_alternative<PointerMoved>(event) || std::holds_alternative<Scrolled>(event);
+  if (now.shows_map && is_of_map) return handleMap(event, now, shown.size_px);
   if (const auto* pressed = std::get_if<PointerPressed>(&event)) {
     if (!held_) held_ = Held{pressed->button, kindOf(*pressed, now, shown), pressed->place_px, pressed->place_px};
   } else if (const auto* moved = std::get_if<PointerMoved>(&event)) {

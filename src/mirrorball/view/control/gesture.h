@@ -12,6 +12,7 @@
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/view/control/event.h"
+#include "mirrorball/view/map/map_layout.h"
 #include "mirrorball/view/workspace/workspace.h"
 
 namespace mirrorball {
@@ -30,6 +31,9 @@ struct ShownPicture {
   glm::ivec2 size_px{1};
   glm::vec3 env_rotation_deg{0.0f};
 };
+
+/// The picture of a map alone.
+MapCanvas mapCanvas(glm::ivec2 size_px);
 
 /// What a hand does, for pages of help.
 struct GestureText {
@@ -68,6 +72,7 @@ class Gesture {
     bool has_moved = false;
   };
   static Kind kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown);
+  std::optional<Change> handleMap(const Event& event, const Workspace& now, glm::ivec2 size_px);
   std::optional<Change> drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown);
 
   std::optional<Held> held_;

@@ -63,9 +63,20 @@ Result<std::string> textOf(Table options, std::string_view name, const ControlVa
   return fail(ErrorCode::usage, "there is no option '" + excerpt(name) + "'");
 }
 
+/// What there is to be set while the map is looked at.
+Result<std::vector<PanelGroup>> mapPanelsOf(const Workspace& workspace) {
+  MIRRORBALL_TRY(settings, mapViewOf(workspace));
+  std::vector<PanelGroup> groups;
+  for (const auto& option : mapViewOptions())
+    addRow(rowOf(option, OptionTable::map_view, Values<MapViewSettings>{settings, {}, workspace.map_view}),
+           option.text.group, groups);
+  return groups;
+}
+
 }  // namespace
 
 Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Material* selected) {
+  if (workspace.shows_map) return mapPanelsOf(workspace);
   const std::size_t side = editedSide(workspace);
   const bool is_comparing = workspace.compare_by != CompareBy::none;
   MIRRORBALL_TRY(frame, frameOf(workspace, side));
@@ -106,6 +117,7 @@ Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, con
   const bool is_of_quality = row.name == qualityOptions().front().text.name;
   const auto text = is_of_quality                        ? textOf<QualityRequest>(qualityOptions(), row.name, value)
                     : row.table == OptionTable::frame    ? textOf<FrameSettings>(frameOptions(), row.name, value)
+                    : row.table == OptionTable::map_view ? textOf<MapViewSettings>(mapViewOptions(), row.name, value)
                     : row.table == OptionTable::material ? textOf<MaterialChanges>(materialOptions(), row.name, value)
                                                          : textOf<Material>(materialParameters(), row.name, value);
   if (!text) return tl::unexpected<Error>(text.error());
@@ -123,6 +135,7 @@ Workspace withoutGroup(Workspace workspace, std::string_view title) {
   leave(qualityOptions(), OptionTable::frame);
   leave(materialOptions(), OptionTable::material);
   leave(materialParameters(), OptionTable::parameter);
+  leave(mapViewOptions(), OptionTable::map_view);
   return workspace;
 }
 

@@ -6,8 +6,8 @@
 
 namespace mirrorball {
 
-/// Tells when files have changed on the disk. Who writes one may take a while: so it says nothing until a file's time of
-/// writing is the same at two askings.
+/// Tells when files have changed on the disk. Who writes one may take a while: so it says nothing until a file's time
+/// of writing is the same at two askings.
 class FileWatch {
  public:
   /// Watches these from now on, as they are.

@@ -27,7 +27,8 @@ Viewer::State::State(const Device& on, Workspace start, glm::ivec2 size, ViewerO
       stages{std::make_unique<LitStage>(on), std::make_unique<LitStage>(on)},
       drawn{DrawnSide(on, options.frame_s), DrawnSide(on, options.frame_s)},
       traced{TracedSide(on), TracedSide(on)},
-      compared(on) {}
+      compared(on),
+      map(on) {}
 
 bool Viewer::State::moves() const { return since_moved_s < kRest_s; }
 
@@ -79,6 +80,7 @@ void Viewer::State::askDisk(double seconds) {
   since_asked_disk_s = 0.0;
   model.askDisk();
   for (const auto& stage : stages) stage->askDisk();
+  map.askDisk();
 }
 
 LitStage& Viewer::State::stageOf(std::size_t side) const {
@@ -107,8 +109,9 @@ void Viewer::handle(const Event& event) {
   }
   if (const auto* pressed = std::get_if<KeyPressed>(&event))
     if (const ViewerCommand* command = commandOfKey(chordOf(*pressed))) return command->perform(state.history);
+  if (const auto* moved = std::get_if<PointerMoved>(&event)) state.pointer_px = moved->place_px;
   // Before there is a model nothing says how far a hand moves.
-  if (!state.model.isThere()) return;
+  if (!state.model.isThere() && !state.now().shows_map) return;
   const bool was_going_on = state.gesture.isGoingOn();
   const ShownPicture shown = state.gesture.asksForPicture(event, state.now()) ? state.shown() : ShownPicture();
   state.apply(state.gesture.handle(event, state.now(), shown));
@@ -125,15 +128,21 @@ Result<bool> Viewer::advance(double seconds) {
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
   state.askDisk(seconds);
+  if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
+  if (state.needsMap()) state.map.follow(mapOf(state.now(), editedSide(state.now())), state.options.cache);
+  if (state.now().shows_map) return state.advanceMap();
   MIRRORBALL_TRY_VOID(state.follow());
   MIRRORBALL_TRY_VOID(state.takeClick());
-  if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
+  MIRRORBALL_TRY_VOID(state.advanceInspection());
   return state.advanceSides();
 }
 
 bool Viewer::isDone() const {
   const State& state = *state_;
-  if (state.has_just_moved || state.moves() || state.clicked_px || !state.isUpToDate()) return false;
+  if (state.has_just_moved || state.moves()) return false;
+  if (state.now().shows_map)
+    return state.map.isDone(mapOf(state.now(), editedSide(state.now())), state.map_settings, mapCanvas(state.size_px));
+  if (state.clicked_px || !state.isUpToDate() || (state.now().inspects && state.inspector.isRunning())) return false;
   const std::vector<std::size_t> sides = state.wantedSides();
   if (!std::all_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.isSideDone(side); })) return false;
   return !state.canCompare() || state.compared.isDone(state.comparedVersion());
@@ -143,6 +152,7 @@ bool Viewer::isWaiting() const {
   const State& state = *state_;
   ViewerStatus status;
   state.tellLoading(status);
+  if (state.now().shows_map) return !status.loading.empty();
   const std::vector<std::size_t> sides = state.wantedSides();
   return !status.loading.empty() &&
          std::none_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.canGoOn(side); });
@@ -170,7 +180,12 @@ const Material* Viewer::selectedMaterial() const {
   return selected && *selected < scene.materials.size() ? &scene.materials[*selected] : nullptr;
 }
 
-bool Viewer::hasPicture() const { return state_->pictureOf(state_->seenSides().front()) != nullptr; }
+UnderPointer Viewer::underPointer() const { return state_->underPointer(); }
+
+bool Viewer::hasPicture() const {
+  if (state_->now().shows_map) return state_->map.picture() != nullptr;
+  return state_->pictureOf(state_->seenSides().front()) != nullptr;
+}
 
 Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
@@ -197,6 +212,7 @@ Result<Image8> Viewer::picture() const {
   if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
   const gl::Context& context = state_->device.state().context;
   MIRRORBALL_TRY_VOID(context.enter());
+  if (state_->now().shows_map) return state_->map.picture()->readBytes();
   if (!state_->isComparing()) return state_->pictureOf(0)->readBytes();
   const glm::ivec2 size_px = state_->size_px;
   MIRRORBALL_TRY(whole, gl::Framebuffer::make(gl::Format::rgba8, size_px.x, size_px.y));

@@ -12,6 +12,7 @@
 #include "mirrorball/render/stage/stage.h"
 #include "mirrorball/view/control/event.h"
 #include "mirrorball/view/viewer/picture_job.h"
+#include "mirrorball/view/viewer/under_pointer.h"
 #include "mirrorball/view/viewer/viewer_status.h"
 #include "mirrorball/view/workspace/history.h"
 
@@ -61,6 +62,10 @@ class Viewer {
   /// The material that is selected, as panelsOf takes it; null: none is. Valid until the next `advance`.
   const Material* selectedMaterial() const;
 
+  /// What is told of the place under the pointer, and written over the picture: while the map is shown alone, or where
+  /// the workspace inspects.
+  UnderPointer underPointer() const;
+
   /// Whether there is a picture.
   bool hasPicture() const;
   /// Draws the last picture into a part of a framebuffer, stretched to its size; of a comparison both halves or what
@@ -74,8 +79,8 @@ class Viewer {
   ///
   /// errors   no_gl
   Result<void> leave() const;
-  /// Makes a picture file beside the viewer, of the workspace as it is now (makePicture); one that is being made is left.
-  /// The status tells what has become of it.
+  /// Makes a picture file beside the viewer, of the workspace as it is now (makePicture); one that is being made is
+  /// left. The status tells what has become of it.
   void savePicture(PictureRequest request);
   /// Stops that.
   void cancelSaving();

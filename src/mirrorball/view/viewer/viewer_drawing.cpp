@@ -140,9 +140,10 @@ const gl::Framebuffer* Viewer::State::heatMap() const {
 
 void Viewer::State::show(const FramebufferPart& part) const {
   const gl::Context& context = device.state().context;
+  if (now().shows_map) return showPicture(context, *map.picture(), part);
   const gl::Framebuffer* first = pictureOf(0);
   const gl::Framebuffer* second = pictureOf(1);
-  if (const gl::Framebuffer* map = heatMap()) return showPicture(context, *map, part);
+  if (const gl::Framebuffer* heat = heatMap()) return showPicture(context, *heat, part);
   if (now().compare_by == CompareBy::slider && first && second)
     return showBeside(context, *first, *second, now().divider, part);
   showPicture(context, *pictureOf(seenSides().front()), part);
@@ -172,6 +173,10 @@ void Viewer::State::tellLoading(ViewerStatus& status) const {
     status.loading = std::move(what);
     status.loaded = share;
   };
+  if (needsMap() && map.loading().isRunning()) tell(map.loading().name(), map.loading().share());
+  if (now().shows_map && map.isDrawing()) tell("the picture of the map", 0.0);
+  if (now().inspects && inspector.isRunning()) tell("the triangles, to inspect", 0.0);
+  if (now().shows_map) return;
   if (model.loading().isRunning()) tell(model.loading().name(), model.loading().share());
   for (const std::size_t side : wantedSides()) {
     const LitStage& stage = stageOf(side);
@@ -184,6 +189,8 @@ void Viewer::State::tellLoading(ViewerStatus& status) const {
 }
 
 const std::string& Viewer::State::problem() const {
+  if (needsMap() && !map.problem().empty()) return map.problem();
+  if (now().inspects && !inspector.problem().empty()) return inspector.problem();
   if (!model.problem().empty()) return model.problem();
   for (const std::size_t side : wantedSides())
     for (const std::string* each :

@@ -12,6 +12,8 @@
 #include "mirrorball/view/viewer/composition.h"
 #include "mirrorball/view/viewer/drawn_side.h"
 #include "mirrorball/view/viewer/lit_stage.h"
+#include "mirrorball/view/viewer/pointer_inspector.h"
+#include "mirrorball/view/viewer/shown_map.h"
 #include "mirrorball/view/viewer/shown_model.h"
 #include "mirrorball/view/viewer/traced_side.h"
 #include "mirrorball/view/viewer/viewer.h"
@@ -43,6 +45,12 @@ struct Viewer::State {
   ShownPicture shown() const;
   void apply(std::optional<Change> change);
   Result<void> takeClick();
+
+  // The place under the pointer (viewer_pointer.cpp).
+  bool needsMap() const { return now().shows_map || now().inspects; }
+  Result<bool> advanceMap();
+  Result<void> advanceInspection();
+  UnderPointer underPointer() const;
 
   // What is loaded.
   Result<void> follow();
@@ -91,6 +99,11 @@ struct Viewer::State {
   std::array<DrawnSide, 2> drawn;
   std::array<TracedSide, 2> traced;
   ComparedSides compared;
+  ShownMap map;
+  PointerInspector inspector = {};
+  std::optional<glm::vec2> pointer_px = {};
+  MapViewSettings map_settings = {};  ///< that are shown; of a text that is refused, those before
+  UnderPointer inspected = {};
   BackgroundTask<std::string> saving = {};
   std::string saving_path = {};
   std::string saved_last = {};  ///< ViewerStatus'

@@ -9,6 +9,7 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/render/settings/frame_checks.h"
+#include "mirrorball/view/map/map_hand.h"
 
 namespace mirrorball {
 namespace {
@@ -72,6 +73,7 @@ GivenTexts& editedFrame(Workspace& workspace, std::string_view name) {
 GivenTexts* editedTexts(Workspace& workspace, OptionTable table, std::string_view name) {
   if (table == OptionTable::frame) return &editedFrame(workspace, name);
   if (table == OptionTable::material) return &workspace.materials;
+  if (table == OptionTable::map_view) return &workspace.map_view;
   return workspace.selected_material ? &workspace.parameters[*workspace.selected_material] : nullptr;
 }
 
@@ -158,7 +160,10 @@ Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string
   if (table == OptionTable::material) return withMaterialOption(std::move(workspace), name, text);
   GivenTexts* given = editedTexts(workspace, table, name);
   if (!given) return fail(ErrorCode::usage, std::string(name) + ": no material is selected");
-  MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, {}, *given));
+  if (table == OptionTable::map_view)
+    MIRRORBALL_TRY_VOID(give<MapViewSettings>(mapViewOptions(), name, text, {}, *given));
+  else
+    MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, {}, *given));
   return workspace;
 }
 
@@ -186,6 +191,7 @@ Workspace withoutOptions(Workspace workspace) {
   std::erase_if(workspace.frame, [](const auto& each) { return !isShared(each.first); });
   workspace.materials.clear();
   workspace.parameters.clear();
+  workspace.map_view.clear();
   for (Side& side : workspace.sides) side.frame.clear();
   return workspace;
 }
@@ -251,13 +257,24 @@ namespace {
 /// Gives an option the text that it has in some settings; what is so without it is no text.
 ///
 /// beneath   what there is without it
-void giveAs(const FrameSettings& settings, std::string_view name, const FrameSettings& beneath, GivenTexts& given) {
-  const Option<FrameSettings>* option = optionNamed(frameOptions(), name);
-  std::string text = option ? written(*option, settings) : std::string();
-  if (!option || text == written(*option, beneath))
-    erase(given, name);
+template <typename Target>
+void giveAs(const Option<Target>& option, const Target& settings, const Target& beneath, GivenTexts& given) {
+  std::string text = written(option, settings);
+  if (text == written(option, beneath))
+    erase(given, option.text.name);
   else
-    given[std::string(name)] = {std::move(text)};
+    given[std::string(option.text.name)] = {std::move(text)};
+}
+
+void giveAs(const FrameSettings& settings, std::string_view name, const FrameSettings& beneath, GivenTexts& given) {
+  if (const auto* option = optionNamed(frameOptions(), name)) giveAs(*option, settings, beneath, given);
+}
+
+/// Gives an option of the half that is edited the value that it has in some settings.
+void giveAsEdited(const FrameSettings& settings, std::string_view name, Workspace& workspace) {
+  const auto of_both = frameOf(workspace.frame);
+  giveAs(settings, name, isOfBoth(workspace, name) || !of_both ? FrameSettings() : *of_both,
+         editedFrame(workspace, name));
 }
 
 }  // namespace
@@ -286,10 +303,30 @@ Workspace withShowcase(Workspace workspace) {
 Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {
   FrameSettings settings;
   settings.env_rotation_deg = env_rotation_deg;
-  constexpr std::string_view kName = "env-rotation";
-  GivenTexts& given = editedFrame(workspace, kName);
-  const auto of_both = frameOf(workspace.frame);
-  giveAs(settings, kName, isOfBoth(workspace, kName) || !of_both ? FrameSettings() : *of_both, given);
+  giveAsEdited(settings, "env-rotation", workspace);
+  return workspace;
+}
+
+Result<MapViewSettings> mapViewOf(const Workspace& workspace) {
+  MapViewSettings settings;
+  MIRRORBALL_TRY_VOID(assignAll(mapViewOptions(), workspace.map_view, settings));
+  return settings;
+}
+
+Workspace withMapView(Workspace workspace, const MapViewSettings& settings) {
+  for (const auto& option : mapViewOptions()) giveAs(option, settings, MapViewSettings(), workspace.map_view);
+  return workspace;
+}
+
+Workspace exposedBy(Workspace workspace, float stops) {
+  if (workspace.shows_map) {
+    const auto settings = mapViewOf(workspace);
+    return settings ? withMapView(std::move(workspace), exposedBy(*settings, stops)) : workspace;
+  }
+  auto settings = frameOf(workspace, editedSide(workspace));
+  if (!settings) return workspace;
+  settings->display = exposedBy(MapViewSettings{.display = settings->display}, stops).display;
+  giveAsEdited(*settings, "exposure", workspace);
   return workspace;
 }
 

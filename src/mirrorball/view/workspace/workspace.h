@@ -15,6 +15,7 @@
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
+#include "mirrorball/view/map/map_view_settings.h"
 
 namespace mirrorball {
 
@@ -55,6 +56,9 @@ struct Workspace {
   float divider = 0.5f;                               ///< of CompareBy::slider: the line's place, 0 … 1 of the width
   std::size_t edited_side = 0;                        ///< which of the halves the panels change, in a comparison
   std::optional<std::size_t> selected_material = {};  ///< of the scene
+  bool inspects = false;                              ///< tells what is under the pointer
+  bool shows_map = false;                             ///< the panorama, without the model
+  GivenTexts map_view = {};                           ///< of mapViewOptions(): how that is looked at
 
   bool operator==(const Workspace&) const = default;
 };
@@ -64,6 +68,7 @@ enum class OptionTable {
   frame,      ///< frameOptions() and qualityOptions(): of the half that is edited
   material,   ///< materialOptions(): of the whole model
   parameter,  ///< materialParameters(): of the material that is selected
+  map_view,   ///< mapViewOptions()
 };
 
 /// Settings of the table that hold all of some texts.
@@ -76,6 +81,15 @@ Result<MaterialChanges> materialsOf(const GivenTexts& given);
 ///
 /// errors   as frameOf's
 Result<void> setParameters(const GivenTexts& given, Material& material);
+
+/// How the map is looked at without the model.
+///
+/// errors   as frameOf's
+Result<MapViewSettings> mapViewOf(const Workspace& workspace);
+Workspace withMapView(Workspace workspace, const MapViewSettings& settings);
+
+/// The exposure some stops up or down: of the map where that is shown, else of the half that is edited.
+Workspace exposedBy(Workspace workspace, float stops);
 
 /// Whether an option is of both halves in any case: where the camera is, and how large the picture.
 bool isShared(std::string_view frame_option);

@@ -102,6 +102,9 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
   workspace.divider = std::clamp(static_cast<float>(json["divider"].number(0.5)), 0.0f, 1.0f);
   workspace.edited_side = json["edited_side"].size(0);
   if (json["selected_material"].exists()) workspace.selected_material = json["selected_material"].size(0);
+  workspace.inspects = json["inspects"].flag(false);
+  workspace.shows_map = json["shows_map"].flag(false);
+  workspace.map_view = textsOf(json["map_view"]);
   if (problem.any()) return fail(ErrorCode::bad_file, problem.message);
   return workspace;
 }
@@ -124,6 +127,7 @@ Result<void> checkWorkspace(const Workspace& workspace) {
   MIRRORBALL_TRY_VOID(frameOf(workspace.frame));
   MIRRORBALL_TRY_VOID(qualityOf(workspace.frame));
   MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
+  MIRRORBALL_TRY_VOID(mapViewOf(workspace));
   Material tried;
   for (const auto& [material, given] : workspace.parameters) MIRRORBALL_TRY_VOID(setParameters(given, tried));
   return {};
@@ -146,6 +150,9 @@ std::string writtenWorkspace(const Workspace& workspace) {
   json["divider"] = workspace.divider;
   json["edited_side"] = workspace.edited_side;
   if (workspace.selected_material) json["selected_material"] = *workspace.selected_material;
+  if (workspace.inspects) json["inspects"] = true;
+  if (workspace.shows_map) json["shows_map"] = true;
+  if (!workspace.map_view.empty()) json["map_view"] = jsonOf(workspace.map_view);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,10 +1,12 @@
 #include <cstdio>
 #include <new>
+#include <string_view>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/terminal.h"
+#include "cli/window_program.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -44,4 +46,10 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace mirrorball::cli
 
-int main(int argc, char** argv) { return mirrorball::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "view") {
+    const auto opened = mirrorball::cli::becomeWindow(argv + 2);
+    return mirrorball::cli::report(opened.error());
+  }
+  return mirrorball::cli::run(argc, argv);
+}

@@ -22,13 +22,6 @@ namespace {
 constexpr float kPanelWidth = 340.0f;
 constexpr float kLetterHeight = 13.0f;
 
-/// A word as a shell reads it.
-std::string quotedForShell(const std::string& word) {
-  std::string quoted = "'";
-  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
-}
-
 void drawLine(const std::string& text) { ImGui::TextWrapped("%s", text.c_str()); }
 
 void drawTwoColumns(std::string_view left, std::string_view right) {
@@ -221,14 +214,12 @@ void Desk::accept(Viewer& viewer) {
 }
 
 void Desk::copyCommandLine(const Viewer& viewer) {
-  const auto words = renderArguments(viewer.workspace(), editedSide(viewer.workspace()));
-  if (!words) {
-    told_ = words.error().message;
+  const auto line = renderCommandLine(viewer.workspace(), editedSide(viewer.workspace()));
+  if (!line) {
+    told_ = line.error().message;
     return;
   }
-  std::string line = "mirrorball render";
-  for (const std::string& word : *words) line += " " + quotedForShell(word);
-  glfwSetClipboardString(window_, line.c_str());
+  glfwSetClipboardString(window_, line->c_str());
   told_ = "copied";
 }
 

@@ -11,7 +11,11 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "mirrorball/mirrorball.h"
+#include "mirrorball/base/cache_folder.h"
+#include "mirrorball/gl/context.h"
+#include "mirrorball/render/stage/device.h"
+#include "mirrorball/view/viewer/viewer.h"
+#include "mirrorball/view/workspace/view_request.h"
 #include "window/desk.h"
 #include "window/window_events.h"
 

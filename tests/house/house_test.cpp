@@ -51,7 +51,9 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
 const std::vector<std::string> kLayers = {"settings", "light", "surface", "stage", "frame"};
 
 constexpr std::size_t kLongestFile = 600;
-constexpr std::size_t kWidestLine = 120;  // columns, as .clang-format has it, which leaves comments alone
+const std::string kWindow = "apps/window/";
+constexpr std::ptrdiff_t kLongestWindow = 1500;  // lines in all
+constexpr std::size_t kWidestLine = 120;         // columns, as .clang-format has it, which leaves comments alone
 
 struct SourceFile {
   std::string path;  ///< relative to the root, with '/'
@@ -226,6 +228,22 @@ Complaints checkOpenGl(const SourceFile& file) {
   return complaints;
 }
 
+/// What a viewer is stands in view/; the window has the words for a context, and what any program needs.
+Complaints checkWindow(const SourceFile& file) {
+  if (!startsWith(file.path, kWindow)) return {};
+  const std::regex include(R"re(^\s*#\s*include\s*"mirrorball/([^"]+)")re");
+  const std::set<std::string> others = {"gl/context.h", "render/stage/device.h"};
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    std::smatch match;
+    if (!std::regex_search(line, match, include)) return;
+    const std::string header = match[1];
+    if (startsWith(header, "view/") || startsWith(header, "base/") || others.contains(header)) return;
+    complaints.push_back(place(file, number) + "the window asks the viewer for that (src/mirrorball/view)");
+  });
+  return complaints;
+}
+
 Complaints checkWidth(const SourceFile& file) {
   Complaints complaints;
   const bool is_code = isOneOf(fs::path(file.path).extension().string(), {".h", ".cpp", ".glsl", ".vert", ".frag"});
@@ -365,6 +383,18 @@ TEST(House, OpenGlIsIncludedInOnePlace) {
   EXPECT_THAT(checkOpenGl({"tests/x.cpp", "#include <EGL/egl.h>\n"}), SizeIs(1));
   EXPECT_THAT(checkOpenGl({"src/mirrorball/gl/gl_api.h", "#include <epoxy/gl.h>\n"}), IsEmpty());
   EXPECT_THAT(checkTree(checkOpenGl), IsEmpty());
+}
+
+TEST(House, WindowHasNoProductLogic) {
+  EXPECT_THAT(checkWindow({"apps/window/x.cpp", "#include \"mirrorball/render/frame/view.h\"\n"}), SizeIs(1));
+  EXPECT_THAT(checkWindow({"apps/window/x.cpp", "#include \"mirrorball/view/panel/panel.h\"\n"}), IsEmpty());
+  EXPECT_THAT(checkWindow({"src/x.cpp", "#include \"mirrorball/render/frame/view.h\"\n"}), IsEmpty());
+  EXPECT_THAT(checkTree(checkWindow), IsEmpty());
+  std::ptrdiff_t lines = 0;
+  for (const SourceFile& file : readTree())
+    if (startsWith(file.path, kWindow)) lines += std::count(file.text.begin(), file.text.end(), '\n');
+  EXPECT_GT(lines, 0);
+  EXPECT_LE(lines, kLongestWindow);
 }
 
 TEST(House, FilesAreShortEnoughToRead) {

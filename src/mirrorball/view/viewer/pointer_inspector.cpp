@@ -10,7 +10,7 @@
 namespace mirrorball {
 
 void PointerInspector::follow(const LitStage& stage, const FrameSettings& frame) {
-  if (begun_version_ != stage.version() || begun_relief_ != frame.relief) {
+  if (!isOf(stage, frame)) {
     begun_version_ = stage.version();
     begun_relief_ = frame.relief;
     inspector_.reset();

@@ -21,10 +21,18 @@ class PointerInspector {
   /// returns  nothing: it is not known yet, or the place is outside of the picture
   Result<std::optional<Inspection>> at(const LitStage& stage, const FrameSettings& frame, glm::vec2 place_px) const;
 
+  /// Whether the triangles of that stage are sorted, or cannot be.
+  bool isDone(const LitStage& stage, const FrameSettings& frame) const {
+    return isOf(stage, frame) && !sorting_.isRunning();
+  }
   bool isRunning() const { return sorting_.isRunning(); }
   const std::string& problem() const { return problem_; }
 
  private:
+  bool isOf(const LitStage& stage, const FrameSettings& frame) const {
+    return begun_version_ == stage.version() && begun_relief_ == frame.relief;
+  }
+
   BackgroundTask<std::shared_ptr<const Inspector>> sorting_;
   std::shared_ptr<const Inspector> inspector_;
   int begun_version_ = 0;  // of the stage

@@ -140,9 +140,8 @@ Result<bool> Viewer::advance(double seconds) {
 bool Viewer::isDone() const {
   const State& state = *state_;
   if (state.has_just_moved || state.moves()) return false;
-  if (state.now().shows_map)
-    return state.map.isDone(mapOf(state.now(), editedSide(state.now())), state.map_settings, mapCanvas(state.size_px));
-  if (state.clicked_px || !state.isUpToDate() || (state.now().inspects && state.inspector.isRunning())) return false;
+  if (state.now().shows_map) return state.isMapDone();
+  if (state.clicked_px || !state.isUpToDate() || !state.isInspectorDone()) return false;
   const std::vector<std::size_t> sides = state.wantedSides();
   if (!std::all_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.isSideDone(side); })) return false;
   return !state.canCompare() || state.compared.isDone(state.comparedVersion());

@@ -27,6 +27,19 @@ Result<bool> Viewer::State::advanceMap() {
   return map.draw(map_settings, moves() ? movingCanvas(map_settings, canvas) : canvas);
 }
 
+bool Viewer::State::isMapDone() const {
+  const MapViewSettings settings = mapViewOf(now()).value_or(map_settings);
+  return map.isDone(mapOf(now(), editedSide(now())), settings, mapCanvas(size_px));
+}
+
+bool Viewer::State::isInspectorDone() const {
+  const std::size_t side = seenSides().front();
+  if (!now().inspects || !stageOf(side).isReady()) return true;
+  const auto frame = wanted(side);
+  const bool is_map_there = map.loading().isAskedFor(mapOf(now(), editedSide(now()))) && !map.loading().isRunning();
+  return !frame || (is_map_there && inspector.isDone(stageOf(side), frame->drawn));
+}
+
 /// Asks anew whenever something may have changed: an answer costs less than a thousandth of a second.
 Result<void> Viewer::State::advanceInspection() {
   inspected = {};

@@ -50,6 +50,9 @@ struct Viewer::State {
   bool needsMap() const { return now().shows_map || now().inspects; }
   Result<bool> advanceMap();
   Result<void> advanceInspection();
+  bool isMapDone() const;
+  /// Whether all is there that is asked about the place under the pointer.
+  bool isInspectorDone() const;
   UnderPointer underPointer() const;
 
   // What is loaded.

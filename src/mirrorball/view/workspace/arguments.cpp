@@ -89,6 +89,15 @@ Result<Workspace> withWord(Workspace workspace, const std::string& word, Words& 
   return withOption(std::move(workspace), known->table, known->text.name, text);
 }
 
+/// A word as a shell reads it.
+std::string quotedForShell(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,=%+@";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
 void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
   for (const auto& [name, texts] : given)
     for (const std::string& text : texts) words.push_back("--" + name + "=" + text);
@@ -120,6 +129,13 @@ Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std
   addOptions(givenFrame(workspace, side), words);
   addOptions(workspace.materials, words);
   return words;
+}
+
+Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t side) {
+  MIRRORBALL_TRY(words, renderArguments(workspace, side));
+  std::string line = "mirrorball render";
+  for (const std::string& word : words) line += " " + quotedForShell(word);
+  return line;
 }
 
 Result<Workspace> withFile(Workspace workspace, const std::string& path) {

@@ -20,6 +20,11 @@ Result<Workspace> workspaceOf(std::span<const std::string> arguments);
 /// errors   unsupported: single materials were changed, which no option says
 Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side);
 
+/// The same as a line for a shell, from `mirrorball render` on.
+///
+/// errors   as renderArguments'
+Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t side);
+
 /// Opens a file as what it is: a model, a panorama or another map of all directions, or a workspace.
 ///
 /// path     or the name of a built-in model or environment

@@ -52,6 +52,8 @@ TEST(Arguments, SayAWorkspaceAgain) {
   const auto words = renderArguments(workspace, 0);
   ASSERT_TRUE(words && read(*words));
   EXPECT_EQ(*read(*words), workspace);
+  EXPECT_THAT(*renderCommandLine(workspace, 0), HasSubstr("mirrorball render knot -e white"));
+  EXPECT_THAT(*renderCommandLine(workspace, 0), HasSubstr("'--background=#336699'"));
   workspace.compare_by = CompareBy::slider;
   workspace.edited_side = 1;
   workspace = *withOption(workspace, OptionTable::frame, "blur", "mip");

@@ -23,6 +23,9 @@ using namespace mirrorball;
 
 namespace {
 
+constexpr const char* kTitle = "Mirrorball";
+constexpr const char* kBusyTitle = "Mirrorball (working)";
+
 /// What must end in this order.
 struct Closing {
   ~Closing() { glfwTerminate(); }
@@ -37,7 +40,7 @@ GLFWwindow* openWindow() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  return glfwCreateWindow(1620, 740, "Mirrorball", nullptr, nullptr);
+  return glfwCreateWindow(1620, 740, kBusyTitle, nullptr, nullptr);
 }
 
 /// Sleeps until there is something to do.
@@ -50,7 +53,21 @@ void waitForEvents(const Viewer& viewer) {
     glfwPollEvents();
 }
 
+/// Says in the title, which a list of windows shows too, whether there is something going on.
+class Title {
+ public:
+  explicit Title(GLFWwindow* window) : window_(window) {}
+  void tell(bool is_done) {
+    if (std::exchange(was_done_, is_done) != is_done) glfwSetWindowTitle(window_, is_done ? kTitle : kBusyTitle);
+  }
+
+ private:
+  GLFWwindow* window_;
+  bool was_done_ = false;
+};
+
 Result<void> run(GLFWwindow* window, Viewer& viewer, window::WindowEvents& events, window::Desk& desk) {
+  Title title(window);
   double before_s = glfwGetTime();
   while (!glfwWindowShouldClose(window)) {
     waitForEvents(viewer);
@@ -70,6 +87,7 @@ Result<void> run(GLFWwindow* window, Viewer& viewer, window::WindowEvents& event
     MIRRORBALL_TRY_VOID(viewer.leave());
     desk.draw(viewer, picture_px);
     glfwSwapBuffers(window);
+    title.tell(viewer.isDone());
   }
   return {};
 }

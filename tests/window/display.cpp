@@ -98,7 +98,7 @@ Display::Display() {
 std::string Display::hand(const std::string& words) const { return outputOf("xdotool " + words + " 2>/dev/null"); }
 
 Image8 Display::photograph() const {
-  // X's own format: a header of words, the most significant byte first, then rows of pixels of four bytes.
+  // X's own format: a header of words, the most significant byte first, then rows of pixels, blue first.
   const std::string file = outputOf("xwd -root -silent");
   const auto word = [&](std::size_t index) {
     std::uint32_t value = 0;
@@ -106,14 +106,15 @@ Image8 Display::photograph() const {
     return std::size_t(value);
   };
   if (file.size() < 100) return {};
-  const std::size_t width = word(4), height = word(5), row_bytes = word(12), colors = word(19);
+  const std::size_t width = word(4), height = word(5), pixel_bytes = word(11) / 8, row_bytes = word(12);
+  const std::size_t colors = word(19);
   const std::size_t begin = word(0) + 12 * colors;
   Image8 image(static_cast<int>(width), static_cast<int>(height), 3);
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t x = 0; x < width; ++x)
       for (std::size_t channel = 0; channel < 3; ++channel)
         image.texel(int(x), int(y))[channel] =
-            static_cast<std::uint8_t>(file[begin + y * row_bytes + 4 * x + 2 - channel]);
+            static_cast<std::uint8_t>(file[begin + y * row_bytes + pixel_bytes * x + 2 - channel]);
   return image;
 }
 

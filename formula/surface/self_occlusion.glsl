@@ -12,6 +12,11 @@ struct Opening {
   float is_occluded_by_one;  // 1: what hides lies together, and is less than what is open; 0: it lies all around
 };
 
+// Below that share nothing is hidden. It only keeps zeros out of divisions: from a corner of a triangle that sees all
+// the sky to one that does not, the share grows from 0, and what hides stays as much alike, in the same direction. A
+// share that is seen in a picture would draw a line there.
+const float kLeastOccluded = 1e-6f;
+
 // A cone of half the aperture b, all above the surface, whose axis is tilted by t, lets through the share sin² b cos t
 // of an even sky's irradiance. The open hemisphere is one too, and what is hidden is missing in its mean direction, 2/3
 // n.
@@ -26,11 +31,11 @@ FN Opening openingOf(vec3 n, vec3 occluded, float open) {
   vec3 axis = dot(mean, mean) > 1e-6f ? normalize(mean) : n;
   float squared_sine = clamp(open / max(dot(axis, n), 0.05f), 0.0f, 1.0f);
   float length_of_occluded = length(occluded);
-  vec3 occluded_axis = length_of_occluded > 1e-3f ? occluded / length_of_occluded : n;
+  vec3 occluded_axis = length_of_occluded > kLeastOccluded ? occluded / length_of_occluded : n;
   float share = 1.0f - open;
   float occluded_squared_sine = clamp(share / max(dot(occluded_axis, n), 0.2f), 0.0f, 1.0f);
   float occluded_cosine = sqrt(1.0f - occluded_squared_sine);
-  float likeness = length_of_occluded / max(share * (0.5f + 0.5f * occluded_cosine), 1e-3f);
+  float likeness = length_of_occluded / max(share * (0.5f + 0.5f * occluded_cosine), kLeastOccluded);
   float is_occluded_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
   return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), occluded_axis,
                        atan(sqrt(occluded_squared_sine), occluded_cosine), likeness, is_occluded_by_one);
@@ -40,15 +45,19 @@ FN Opening openingOf(vec3 n, vec3 occluded, float open) {
 FN float angleBetween(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)); }
 
 // How much of what a surface reflects around a direction is in the opening, of all that is above the surface.
+//
+// What hides takes no more of a lobe than about its own size, as where two caps of a sphere meet (Oat & Sander 2007):
+// the less is hidden the less it takes, however wide the lobe is, and a hider of no size takes nothing.
 //   direction   unit
 //   alpha       of the facets: half of the lobe lies within twice the angle whose tangent that is (GGX)
 FN float lobeInOpening(Opening opening, vec3 n, vec3 direction, float alpha) {
   float width = 0.02f + 2.0f * atan(alpha);
-  float above = 0.5f * kPi - angleBetween(direction, n);
+  float above = max(smoothstep(-width, width, 0.5f * kPi - angleBetween(direction, n)), 1e-3f);
   float inside = opening.angle - angleBetween(direction, opening.axis);
-  float open = clamp(smoothstep(-width, width, inside) / max(smoothstep(-width, width, above), 1e-3f), 0.0f, 1.0f);
+  float open = clamp(smoothstep(-width, width, inside) / above, 0.0f, 1.0f);
   float behind = opening.occluded_angle - angleBetween(direction, opening.occluded_axis);
-  return mix(open, 1.0f - smoothstep(-width, width, behind), opening.is_occluded_by_one);
+  float size = min(smoothstep(0.0f, width, opening.occluded_angle) / above, 1.0f);
+  return mix(open, 1.0f - size * smoothstep(-width, width, behind), opening.is_occluded_by_one);
 }
 
 // The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in a

@@ -53,7 +53,7 @@ OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place) {
   vec3 on_occluders = lightOnOccluders(position, place, on_axis);
   light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
                      place.interreflected * on_occluders + place.emitted;
-  light.tint = place.interreflected / max(1.0 - light.open, 1e-3);
+  light.tint = min(place.interreflected / max(1.0 - light.open, kLeastOccluded), 1.0);
   light.emitted = place.emitted;
   light.occluded = light.tint * on_occluders;
   return light;

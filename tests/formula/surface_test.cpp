@@ -226,6 +226,30 @@ TEST(Height, AMeanOfSlopesKeepsTheShareThatIsTold) {
   }
 }
 
+/// In the plane of x and the normal, which is y.
+vec3 tilted(float degrees) { return {std::sin(glm::radians(degrees)), std::cos(glm::radians(degrees)), 0.0f}; }
+
+// From a corner that sees all of the sky to one that a small hider stands beside: what is hidden of the lobe grows from
+// nothing, without a dip or a jump on its way, which would be a line along the triangle's edge.
+TEST(SelfOcclusion, WhatIsHiddenGrowsEvenlyAcrossATriangle) {
+  constexpr int kSteps = 1000;
+  constexpr float kShareAtCorner = 1.0f / 64.0f;
+  const vec3 n = tilted(0.0f);
+  for (const float alpha : {0.04f, 0.09f, 0.36f, 1.0f})
+    for (const float tilt : {0.0f, 40.0f, 70.0f, 85.0f})
+      for (const float reflected : {-80.0f, -40.0f, 0.0f, 40.0f, 65.0f, 80.0f, 88.0f}) {
+        float before = 1.0f;
+        for (int step = 0; step <= kSteps; ++step) {
+          const float share = kShareAtCorner * static_cast<float>(step) / static_cast<float>(kSteps);
+          const Opening opening = openingOf(n, share * tilted(tilt), 1.0f - share);
+          const float open = lobeInOpening(opening, n, tilted(reflected), alpha);
+          ASSERT_LE(open, before + 1e-4f) << alpha << ", hidden at " << tilt << ", to " << reflected << ": " << share;
+          ASSERT_GE(open, before - 0.02f) << alpha << ", hidden at " << tilt << ", to " << reflected << ": " << share;
+          before = open;
+        }
+      }
+}
+
 // The lobe of a hider in front of a sun holds more than arrives: what is left is not black, nor of another colour.
 TEST(SelfOcclusion, ASunBehindAHiderTakesNotAllTheLight) {
   const glm::vec3 on_surface(1.0f, 1.0f, 1.2f), through(0.3f, 0.4f, 0.6f);

@@ -178,7 +178,7 @@ void Desk::drawDialog(Viewer& viewer, glm::ivec2 picture_px) {
     drawKeys();
   } else {
     if (begins) ImGui::SetKeyboardFocusHere();
-    is_accepted = ImGui::InputText("file", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+    is_accepted = ImGui::InputText("file", &path(), ImGuiInputTextFlags_EnterReturnsTrue);
     if (dialog_ == Dialog::save_picture) drawSizeFields(picture_px);
     is_accepted = ImGui::Button("OK") || is_accepted;
     ImGui::SameLine();
@@ -203,14 +203,14 @@ void Desk::drawSizeFields(glm::ivec2 picture_px) {
 
 void Desk::accept(Viewer& viewer) {
   told_.clear();
-  if (path_.empty()) return;
-  if (dialog_ == Dialog::open) return open(viewer, {path_});
+  if (path().empty()) return;
+  if (dialog_ == Dialog::open) return open(viewer, {path()});
   if (dialog_ == Dialog::save_picture)
     return viewer.savePicture(
-        {.path = path_, .size_px = saved_px_, .frames = frames_, .side = editedSide(viewer.workspace())});
-  const auto saved = saveWorkspace(path_, viewer.workspace());
-  told_ = saved ? "wrote " + path_ : saved.error().message;
-  if (saved && recent_) recent_->note(path_);
+        {.path = path(), .size_px = saved_px_, .frames = frames_, .side = editedSide(viewer.workspace())});
+  const auto saved = saveWorkspace(path(), viewer.workspace());
+  told_ = saved ? "wrote " + path() : saved.error().message;
+  if (saved && recent_) recent_->note(path());
 }
 
 void Desk::copyCommandLine(const Viewer& viewer) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ class Desk {
 
   void drawMenus(Viewer& viewer);
   void drawFileMenu(Viewer& viewer);
+  std::string& path() { return paths_[static_cast<std::size_t>(dialog_)]; }
   void drawDialog(Viewer& viewer, glm::ivec2 picture_px);
   void drawSizeFields(glm::ivec2 picture_px);
   void accept(Viewer& viewer);
@@ -57,7 +59,7 @@ class Desk {
   Dialog dialog_ = Dialog::none;
   bool dialog_begins_ = false;
   bool wants_search_ = false;
-  std::string path_;
+  std::array<std::string, 5> paths_;  // that stand in each dialog
   glm::ivec2 saved_px_{0};
   int frames_ = 0;
   std::string search_;

@@ -8,16 +8,21 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/numbered_paths.h"
+#include "mirrorball/environment/file/load.h"
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/study/traced_frame.h"
 #include "mirrorball/trace/path_tracer.h"
+#include "mirrorball/view/control/gesture.h"
+#include "mirrorball/view/map/map_picture.h"
+#include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
 namespace {
 
-Result<void> checkPath(const PictureRequest& request, const FrameSettings& frame) {
+Result<void> checkPath(const Workspace& workspace, const PictureRequest& request, const FrameSettings& frame) {
+  MIRRORBALL_TRY_VOID(refuseInputs(workspace, request.path));
   MIRRORBALL_TRY_VOID(checkWritable(request.path));
   const std::string extension = extensionOf(request.path);
   if (frame.background == BackgroundKind::transparent && extension != "png" && extension != "exr")
@@ -83,6 +88,19 @@ Result<void> draw(Renderer& renderer, const FrameSettings& frame, const std::str
   return savePicture(path, picture);
 }
 
+/// The map alone, as it is looked at.
+Result<void> drawMap(const Workspace& workspace, const PictureRequest& request, const std::optional<CacheFolder>& cache,
+                     const ProgressFunction& progress) {
+  if (request.frames > 0 || storesLinearLight(request.path))
+    return fail(ErrorCode::usage, request.path + ": the map alone is one picture, as .png or .jpg");
+  MIRRORBALL_TRY(settings, mapViewOf(workspace));
+  MIRRORBALL_TRY(loaded, loadEnvironment(mapOf(workspace, request.side), {.keep_bad = true}, progress));
+  MIRRORBALL_TRY(map, prepareMap(std::move(loaded.environment), cache, progress));
+  MapViewer viewer(std::move(map));
+  MIRRORBALL_TRY(picture, viewer.picture(settings, mapCanvas(request.size_px), progress));
+  return savePicture(request.path, picture);
+}
+
 /// Each sample of each picture is a step.
 Result<void> drawTurn(Renderer& renderer, FrameSettings frame, const std::vector<std::string>& paths,
                       const ProgressFunction& progress) {
@@ -103,7 +121,11 @@ Result<void> drawTurn(Renderer& renderer, FrameSettings frame, const std::vector
 Result<std::string> makePicture(const Workspace& workspace, const PictureRequest& request, bool inside_only,
                                 const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
   MIRRORBALL_TRY(names, namesOf(workspace, request, inside_only, cache));
-  MIRRORBALL_TRY_VOID(checkPath(request, names.frame));
+  MIRRORBALL_TRY_VOID(checkPath(workspace, request, names.frame));
+  if (workspace.shows_map) {
+    MIRRORBALL_TRY_VOID(drawMap(workspace, request, cache, progress));
+    return request.path;
+  }
   if (isTraced(workspace, request.side)) {
     if (request.frames > 0) return fail(ErrorCode::usage, "the reference makes one picture, and no turntable");
     MIRRORBALL_TRY_VOID(trace(workspace, request, names, progress));

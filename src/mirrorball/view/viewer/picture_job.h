@@ -21,7 +21,7 @@ struct PictureRequest {
   std::size_t side = 0;
 };
 
-/// Makes it as `render` does, with a driver of its own, in any thread.
+/// Makes it as `render` does, with a driver of its own, in any thread; of a workspace that shows the map alone, that.
 ///
 /// inside_only  ModelLoadOptions'
 /// returns      what was written: "a.png", "a_000.png … a_089.png"

@@ -70,6 +70,22 @@ TEST_F(PictureJobTest, OfATurnAreNumbered) {
     EXPECT_TRUE(std::filesystem::exists(::testing::TempDir() + "turn_00" + std::to_string(i) + ".png"));
 }
 
+TEST_F(PictureJobTest, OfAMapAloneIsWhatIsSeen) {
+  const std::string path = ::testing::TempDir() + "map_alone.png";
+  Workspace workspace = ball();
+  workspace.shows_map = true;
+  Viewer viewer(device(), workspace, kViewerSize);
+  finish(viewer);
+  ASSERT_EQ(written(workspace, {.path = path, .size_px = kViewerSize}), path);
+  const Image8 seen = *viewer.picture();
+  const Image8 saved = pictureFromLinear(readImage(path)->image, 3);
+  int differ = 0;
+  for (int y = 0; y < kViewerSize.y; ++y)
+    for (int x = 0; x < kViewerSize.x; ++x)
+      differ += std::equal(saved.texel(x, y), saved.texel(x, y) + 3, seen.texel(x, y)) ? 0 : 1;
+  EXPECT_EQ(differ, 0);
+}
+
 TEST_F(PictureJobTest, SaysWhatItCannotWrite) {
   EXPECT_THAT(written(ball(), {.path = "a.xyz"}), HasSubstr("a.xyz"));
   EXPECT_THAT(written(ball(), {.path = "nowhere/a.png", .size_px = {8, 8}}), HasSubstr("nowhere"));

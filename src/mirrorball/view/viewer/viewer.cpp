@@ -53,9 +53,17 @@ void Viewer::State::apply(std::optional<Change> change) {
 Result<void> Viewer::State::takeClick() {
   if (!clicked_px || moves()) return {};
   const std::size_t side = seenSides().front();
-  auto picked = drawn[side].pick(stageOf(side), *clicked_px);
-  if (picked && !*picked) return {};
+  LitStage& stage = stageOf(side);
+  const auto frame = wanted(side);
+  if (frame && stage.isReady() && !drawn[side].isDone(stage, frame->drawn)) {
+    // Of a half that is traced the renderer may have drawn but a part.
+    MIRRORBALL_TRY_VOID(draw(side));
+    return {};
+  }
+  auto picked = drawn[side].pick(stage, *clicked_px);
+  if (picked && !*picked && drawn[side].isPicking()) return {};
   clicked_px.reset();
+  if (picked && !*picked) return {};  // nothing can be drawn that was clicked on
   if (!picked) return tell(fail(std::move(picked)), problem_of_picking);
   problem_of_picking.clear();
   Workspace next = now();

@@ -106,17 +106,20 @@ void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
 }  // namespace
 
 Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
-  Workspace workspace;
-  bool names_environment = false;
+  const Workspace start;
+  Workspace workspace = start;
+  bool names_environment = false, is_builtin = true;
   for (Words words(arguments); !words.empty();) {
     const std::string& word = words.next();
     names_environment = names_environment || word == "-e" || word == "--env";
+    is_builtin = is_builtin && (word.starts_with("-") || contains(builtinModelNames(), word));
     MIRRORBALL_TRY(next, withWord(std::move(workspace), word, words));
     workspace = std::move(next);
+    // The first panorama that is opened takes the place of the one that nobody has asked for.
+    if (!names_environment && workspace.maps.size() == 2 && workspace.maps.front() == start.maps.front())
+      workspace = withOnlyMap(std::move(workspace), std::string(workspace.maps.back()));
   }
-  // Maps and workspaces that are opened count as asked for, too.
-  if (workspace.model == Workspace().model && workspace.maps == Workspace().maps && !names_environment)
-    return withShowcase(std::move(workspace));
+  if (is_builtin && !names_environment && workspace.model == start.model) return withShowcase(std::move(workspace));
   return workspace;
 }
 

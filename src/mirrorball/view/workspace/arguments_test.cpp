@@ -36,6 +36,17 @@ TEST(Arguments, AreWordsOfRender) {
   EXPECT_EQ(*read({"--camera=10,20"}), withShowcase(*read({"-e", "studio", "--camera=10,20"})));
 }
 
+TEST(Arguments, OpenAWorkspaceAsItIs) {
+  Workspace workspace;
+  workspace.frame = {{"fov", {"20"}}};
+  const std::string path = fileWith("showcase.json", writtenWorkspace(workspace));
+  EXPECT_EQ(*read({path}), workspace) << "its showcase stands in the studio";
+  const std::string map = ::testing::TempDir() + "arguments_map.hdr";
+  ASSERT_TRUE(writeImage(map, Image(4, 2, 3, 0.5f)));
+  EXPECT_EQ(read({map})->maps, std::vector<std::string>{map}) << "nobody has asked for another";
+  EXPECT_EQ(read({"-e", "white", map})->maps, (std::vector<std::string>{"white", map}));
+}
+
 TEST(Arguments, RefusesOthers) {
   EXPECT_THAT(read({"--no-such"}).error().message, HasSubstr("--no-such"));
   EXPECT_THAT(read({"--fov"}).error().message, HasSubstr("needs a value"));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -164,7 +166,18 @@ Result<Workspace> readWorkspace(std::string_view json) {
   return workspace;
 }
 
+Result<void> refuseInputs(const Workspace& workspace, const std::string& path) {
+  std::vector<std::string> inputs = workspace.maps;
+  inputs.push_back(workspace.model);
+  std::error_code error;
+  for (const std::string& input : inputs)
+    if (std::filesystem::equivalent(input, path, error) && !error)
+      return fail(ErrorCode::usage, path + ": is shown, and would be lost; choose another name");
+  return {};
+}
+
 Result<void> saveWorkspace(const std::string& path, const Workspace& workspace) {
+  MIRRORBALL_TRY_VOID(refuseInputs(workspace, path));
   const std::string text = writtenWorkspace(workspace);
   return writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

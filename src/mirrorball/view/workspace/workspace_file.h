@@ -18,9 +18,14 @@ std::string writtenWorkspace(const Workspace& workspace);
 ///          it refuses
 Result<Workspace> readWorkspace(std::string_view json);
 
+/// Refuses a file that a workspace shows, as an output in its place.
+///
+/// errors   usage
+Result<void> refuseInputs(const Workspace& workspace, const std::string& path);
+
 /// Writes it to a file, and reads it.
 ///
-/// errors   io; as readWorkspace's
+/// errors   io; as refuseInputs' and readWorkspace's
 Result<void> saveWorkspace(const std::string& path, const Workspace& workspace);
 Result<Workspace> loadWorkspace(const std::string& path);
 

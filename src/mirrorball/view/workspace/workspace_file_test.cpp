@@ -75,5 +75,14 @@ TEST(WorkspaceFile, EveryCutAndEveryChangedByteIsReadOrRefused) {
   }
 }
 
+TEST(WorkspaceFile, ReplacesNothingThatItShows) {
+  Workspace workspace;
+  const std::string path = ::testing::TempDir() + "shown.glb";
+  ASSERT_TRUE(saveWorkspace(path, workspace)) << "nothing is there yet";
+  workspace.model = path;
+  EXPECT_EQ(saveWorkspace(path, workspace).error().code, ErrorCode::usage);
+  EXPECT_TRUE(saveWorkspace(path + ".json", workspace));
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -76,7 +76,7 @@ TEST_F(SuggestionTest, AMisspeltValueIsSuggested) {
 }
 
 TEST_F(SuggestionTest, ACommandIsMeantByAnotherWord) {
-  expectHints({{"view a.glb", "did you mean 'render'?"},
+  expectHints({{"show a.glb", "did you mean 'render'?"},
                {"resize a.hdr", "did you mean 'convert'?"},
                {"prefilter a.hdr", "did you mean 'bake'?"},
                {"identify a.hdr", "did you mean 'info'?"},

@@ -120,9 +120,11 @@ TEST_F(WindowTest, SavesAndShowsWhatRenderDraws) {
   std::filesystem::remove(saved);
   open({"teapot", "-e", "studio", "--material", "gold", "--samples", "1"});
   const Image8 photograph = display_->photograph();
+  const Picture before = picture();
   display_->hand("key ctrl+p");
-  wait(3.0);  // its field blinks, and so it never rests
-  display_->hand("type --delay 100 " + saved);
+  for (int tries = 0; tries < 100 && picture() == before; ++tries) wait(0.2);
+  wait(2.0);  // its field blinks, and so it never rests
+  display_->hand("type --delay 150 " + saved);
   wait(3.0);
   display_->hand("key Return");
   for (int tries = 0; tries < 300 && !std::filesystem::exists(saved); ++tries) wait(0.1);

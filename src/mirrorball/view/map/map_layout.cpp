@@ -105,9 +105,9 @@ void layLegend(const MapViewSettings& settings, int line_px, PixelRectangle& roo
   room.extent.y -= height;
   const glm::ivec2 corner(room.corner.x, room.corner.y + room.extent.y);
   layout.legend = PixelRectangle{corner, {room.extent.x, line_px}};
-  constexpr int kParts = 4;
-  for (int part = 0; part <= kParts; ++part) {
-    const float share = static_cast<float>(part) / kParts;
+  constexpr int kIntervals = 4;
+  for (int part = 0; part <= kIntervals; ++part) {
+    const float share = static_cast<float>(part) / kIntervals;
     // A letter is about half as wide as its line is high, and the last number ends with the bar.
     const auto left = static_cast<int>(share * static_cast<float>(std::max(room.extent.x - 2 * line_px, 0)));
     layout.labels.push_back({stopsText(settings.stops * (2.0f * share - 1.0f)), {corner.x + left, corner.y + line_px}});

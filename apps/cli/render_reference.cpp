@@ -48,14 +48,11 @@ std::vector<ImageLayer> layersOf(TracedPicture& picture) {
 
 Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output) {
   Image& image = picture.radiance;
-  const glm::vec4 backdrop(frame.background_color, 1.0f);
   if (storesLinearLight(output)) {
-    if (frame.background == BackgroundKind::display_color) layOver(image, backdrop);
+    if (frame.background == BackgroundKind::display_color) layOver(image, backdropOf(frame));
     return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture)});
   }
-  return savePicture(output,
-                     displayedPicture(frame.display, std::move(image),
-                                      frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
+  return savePicture(output, displayedPicture(frame.display, std::move(image), backdropOf(frame)));
 }
 
 /// "64 paths a pixel, standard error at most 0.0031 of white"

@@ -247,13 +247,9 @@ void drawBar(const std::string& what, double share) {
 void Desk::drawStatus(Viewer& viewer) const {
   const ViewerStatus status = viewer.status();
   for (std::size_t i = 0; i < status.sides.size(); ++i) {
-    if (status.sides.size() > 1) {
-      if (ImGui::RadioButton(i == 0 ? "first half" : "second half", editedSide(viewer.workspace()) == i)) {
-        Workspace next = viewer.workspace();
-        next.edited_side = i;
-        viewer.history().change("Edit the other half", std::move(next));
-      }
-    }
+    if (status.sides.size() > 1 &&
+        ImGui::RadioButton(i == 0 ? "first half" : "second half", editedSide(viewer.workspace()) == i))
+      viewer.history().change("Edit the other half", withEditedSide(viewer.workspace(), i));
     drawSide(status.sides[i]);
   }
   for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());

@@ -22,4 +22,8 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   return settings;
 }
 
+glm::vec4 backdropOf(const FrameSettings& frame) {
+  return frame.background == BackgroundKind::display_color ? glm::vec4(frame.background_color, 1.0f) : glm::vec4(0.0f);
+}
+
 }  // namespace mirrorball

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/trace/trace_settings.h"
 
@@ -9,5 +11,9 @@ namespace mirrorball {
 /// background and lights. How many paths there are stays as it is, but where noise or time end them: then they may be
 /// many.
 TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings);
+
+/// What lies behind a traced picture with those settings, as displayedPicture takes it: their colour of the display, or
+/// nothing.
+glm::vec4 backdropOf(const FrameSettings& frame);
 
 }  // namespace mirrorball

@@ -74,9 +74,7 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
      compare<CompareBy::flip_error>},
     {"edit-other", "Edit the other half", "Compare", "Tab", "",
      [](History& history) {
-       Workspace next = history.now();
-       next.edited_side = 1 - next.edited_side;
-       history.change("Edit the other half", std::move(next));
+       history.change("Edit the other half", withEditedSide(history.now(), 1 - history.now().edited_side));
      }},
     {"truth", "The truth, and back", "Compare", "T", "",
      [](History& history) { history.change("Compare with the truth", withTruth(history.now())); }},

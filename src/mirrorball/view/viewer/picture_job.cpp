@@ -55,11 +55,9 @@ Result<RenderInputNames> namesOf(const Workspace& workspace, const PictureReques
 }
 
 Result<void> write(const std::string& path, const FrameSettings& frame, Image radiance) {
-  const bool has_color = frame.background == BackgroundKind::display_color;
-  const glm::vec4 backdrop = has_color ? glm::vec4(frame.background_color, 1.0f) : glm::vec4(0.0f);
   if (!storesLinearLight(path))
-    return savePicture(path, displayedPicture(frame.display, std::move(radiance), backdrop));
-  if (has_color) layOver(radiance, backdrop);
+    return savePicture(path, displayedPicture(frame.display, std::move(radiance), backdropOf(frame)));
+  if (frame.background == BackgroundKind::display_color) layOver(radiance, backdropOf(frame));
   return writeImage(path, radiance);
 }
 

@@ -29,13 +29,6 @@ struct TracedSide::Tracer {
 
 namespace {
 
-/// As the picture file of `render --reference` has it.
-Image8 displayed(const FrameSettings& frame, Image radiance) {
-  const bool has_color = frame.background == BackgroundKind::display_color;
-  return displayedPicture(frame.display, std::move(radiance),
-                          has_color ? glm::vec4(frame.background_color, 1.0f) : glm::vec4(0.0f));
-}
-
 Result<PathTracer> tracerOf(Scene scene, ReliefKind relief, const Environment& environment,
                             const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(prepareRelief(scene, relief));
@@ -64,7 +57,7 @@ void TracedSide::begin(const LitStage& stage, const FrameSettings& wanted) {
     }
     MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), wanted.camera, wanted.size));
     const auto keep = [&](TracedPicture picture) {
-      Image8 bytes = displayed(wanted, std::move(picture.radiance));
+      Image8 bytes = displayedPicture(wanted.display, std::move(picture.radiance), backdropOf(wanted));
       const std::lock_guard lock(so_far->mutex);
       so_far->picture = std::move(bytes);
       so_far->paths = picture.samples;

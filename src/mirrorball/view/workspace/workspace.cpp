@@ -238,6 +238,11 @@ bool isTraced(const Workspace& workspace, std::size_t side) {
   return isComparing(workspace) && workspace.sides[side].is_traced;
 }
 
+Workspace withEditedSide(Workspace workspace, std::size_t side) {
+  workspace.edited_side = side;
+  return workspace;
+}
+
 Workspace withTruth(Workspace workspace) {
   Side& edited = workspace.sides[editedSide(workspace)];
   if (!isComparing(workspace)) {

@@ -153,6 +153,9 @@ const std::string& mapOf(const Workspace& workspace, std::size_t side);
 /// half is seen; in another comparison the half that is edited becomes a traced one, or a drawn one again.
 Workspace withTruth(Workspace workspace);
 
+/// Has panels and hands change that half from now on, 0 or 1.
+Workspace withEditedSide(Workspace workspace, std::size_t side);
+
 /// Moves the camera of both halves.
 Workspace withCamera(Workspace workspace, const CameraOptions& camera);
 

@@ -1,6 +1,5 @@
 // Two halves beside each other.
 
-#include <algorithm>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -20,6 +19,7 @@
 namespace mirrorball {
 namespace {
 
+using testing::differing;
 using testing::finish;
 using testing::kViewerSize;
 
@@ -45,14 +45,6 @@ Image8 halfOf(const Device& device, Workspace workspace, std::size_t side) {
   Viewer viewer(device, workspace, kViewerSize);
   finish(viewer);
   return *viewer.picture();
-}
-
-/// How many pixels of some columns are other than those of a picture.
-int differing(const Image8& a, const Image8& b, int begin, int end) {
-  int differ = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = begin; x < end; ++x) differ += std::equal(a.texel(x, y), a.texel(x, y) + 3, b.texel(x, y)) ? 0 : 1;
-  return differ;
 }
 
 TEST_F(ViewerComparisonTest, ALineDividesBothHalves) {

@@ -1,6 +1,5 @@
 // Pictures that a viewer writes.
 
-#include <algorithm>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -13,6 +12,7 @@
 namespace mirrorball {
 namespace {
 
+using testing::differing;
 using testing::finish;
 using ::testing::HasSubstr;
 using testing::kViewerSize;
@@ -54,11 +54,7 @@ TEST_F(PictureJobTest, IsThePictureThatIsSeen) {
     EXPECT_EQ(viewer.status().saved_last, "wrote " + path);
     const Image8 saved = pictureFromLinear(readImage(path)->image, 3);
     ASSERT_EQ(saved.width(), kViewerSize.x);
-    int differ = 0;
-    for (int y = 0; y < kViewerSize.y; ++y)
-      for (int x = 0; x < kViewerSize.x; ++x)
-        differ += std::equal(saved.texel(x, y), saved.texel(x, y) + 3, seen.texel(x, y)) ? 0 : 1;
-    EXPECT_EQ(differ, 0);
+    EXPECT_EQ(differing(saved, seen, 0, kViewerSize.x), 0);
   }
 }
 
@@ -79,11 +75,7 @@ TEST_F(PictureJobTest, OfAMapAloneIsWhatIsSeen) {
   ASSERT_EQ(written(workspace, {.path = path, .size_px = kViewerSize}), path);
   const Image8 seen = *viewer.picture();
   const Image8 saved = pictureFromLinear(readImage(path)->image, 3);
-  int differ = 0;
-  for (int y = 0; y < kViewerSize.y; ++y)
-    for (int x = 0; x < kViewerSize.x; ++x)
-      differ += std::equal(saved.texel(x, y), saved.texel(x, y) + 3, seen.texel(x, y)) ? 0 : 1;
-  EXPECT_EQ(differ, 0);
+  EXPECT_EQ(differing(saved, seen, 0, kViewerSize.x), 0);
 }
 
 TEST_F(PictureJobTest, SaysWhatItCannotWrite) {

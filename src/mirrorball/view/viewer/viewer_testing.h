@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -27,6 +28,14 @@ inline void finish(Viewer& viewer) {
     if (!viewer.status().loading.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   ASSERT_TRUE(viewer.isDone());
+}
+
+/// How many pixels of some columns are other than those of a picture.
+inline int differing(const Image8& a, const Image8& b, int begin, int end) {
+  int differ = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = begin; x < end; ++x) differ += std::equal(a.texel(x, y), a.texel(x, y) + 3, b.texel(x, y)) ? 0 : 1;
+  return differ;
 }
 
 }  // namespace mirrorball::testing

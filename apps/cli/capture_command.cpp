@@ -17,8 +17,8 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/render/frame/cube_capture.h"
 #include "mirrorball/render/settings/capture_options.h"
-#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/model_stance.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -168,11 +168,11 @@ Command captureCommand() {
                     "the same as a cube map for an engine"}}};
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
+  addOptions(command, stanceOptions(), request->scene.stance);
   addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
   addOptions(command, captureFrameOptions(), request->look, &request->given);
-  addOptions(command, animationOptions(), request->scene.animation);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {

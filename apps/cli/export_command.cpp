@@ -12,10 +12,10 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/render/settings/frame_checks.h"
 #include "mirrorball/render/settings/frame_settings.h"
-#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/model_stance.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -63,7 +63,7 @@ Result<void> exportScene(const ExportRequest& request) {
 }  // namespace
 
 Command exportCommand() {
-  constexpr std::array<std::string_view, 3> kOfScene{"up", "inside-only", "max-memory"};
+  constexpr std::array<std::string_view, 2> kOfScene{"inside-only", "max-memory"};
   constexpr std::array<std::string_view, 5> kOfFrame{"size", "camera", "target", "fov", "orthographic"};
   static const std::vector<Option<SceneRequest>> scene_options = rowsNamed(sceneOptions(), kOfScene);
   static const std::vector<Option<FrameSettings>> frame_options = rowsNamed(frameOptions(), kOfFrame);
@@ -79,9 +79,9 @@ Command exportCommand() {
                     "a part that stands upright, seen as `render` with the same options shows it"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, scene_options, request->scene);
+  addOptions(command, stanceOptions(), request->scene.stance);
   addOptions(command, kExportOptions, *request);
   addOptions(command, frame_options, request->frame, &request->given);
-  addOptions(command, animationOptions(), request->scene.animation);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
     return withStandardStreams({&request->scene.model}, request->output, [&] { return exportScene(*request); });

@@ -26,9 +26,9 @@
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/render/settings/frame_checks.h"
-#include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/model_stance.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -66,7 +66,7 @@ struct RenderRequest {
 
 /// Whether pictures are to go over the length of an animation.
 bool playsAnimation(const RenderRequest& request) {
-  const AnimationChoice& choice = request.scene.animation;
+  const AnimationChoice& choice = request.scene.stance.animation;
   return request.turntable.frames > 0 && !choice.name.empty() && !choice.seconds;
 }
 
@@ -106,7 +106,7 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
     return fail(ErrorCode::usage, "--turn " + std::to_string(request.turntable.object) +
                                       ": objects go round in a model that stands still; give --animation a time, as "
                                       "in " +
-                                      request.scene.animation.name + "@0");
+                                      request.scene.stance.animation.name + "@0");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
   GivenOptions given = request.given;
@@ -186,10 +186,10 @@ Command renderCommand() {
           {"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene, &request->given);
+  addOptions(command, stanceOptions(), request->scene.stance);
   addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
-  addOptions(command, animationOptions(), request->scene.animation);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);

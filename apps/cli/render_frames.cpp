@@ -9,7 +9,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/scene/animation/pose.h"
+#include "mirrorball/render/frame/animation_frames.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -36,15 +36,6 @@ Result<void> renderEach(Renderer& renderer, const char* what, const std::vector<
 
 float angleOf(std::size_t frame, std::size_t frames) {
   return 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
-}
-
-/// Those that a camera is to hold: of as many frames, or of some that are spread evenly.
-std::vector<double> timesToFrame(double length_s, std::size_t frames) {
-  constexpr std::size_t kMostTimes = 32;
-  const std::size_t count = std::min(frames, kMostTimes);
-  std::vector<double> times;
-  for (std::size_t i = 0; i < count; ++i) times.push_back(length_s * double(i) / double(count));
-  return times;
 }
 
 }  // namespace
@@ -80,23 +71,17 @@ Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, 
                              const std::vector<std::string>& paths, StageClock& clock) {
   // The renderer's scene is a moment, of which there are no others.
   MIRRORBALL_TRY(rest, loadModel(request.scene.model, {.inside_only = request.scene.inside_only}));
-  MIRRORBALL_TRY(animation, chosenAnimation(rest, request.scene.animation));
-  const double length_s = double(rest.rig.animations[animation].length_s);
-  MIRRORBALL_TRY(all, posesTogether(rest, animation, timesToFrame(length_s, paths.size())));
-  MIRRORBALL_TRY_VOID(withName(request.scene.model, checkExtent(all)));
-  standUpright(all, request.scene.up);
-  const BoundingSphere bounds = boundingSphere(all);
-  FrameSettings framed_all = settings;
-  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-  framed_all.camera = framed(all, bounds, settings.camera, aspect,
-                             request.turns ? framingOf(request.turntable.turn) : FramingOf::still);
+  auto made = AnimationFrames::make(std::move(rest), request.scene.stance, settings, paths.size(),
+                                    request.turns ? framingOf(request.turntable.turn) : FramingOf::still);
+  MIRRORBALL_TRY(frames, withName(request.scene.model, std::move(made)));
   return renderEach(renderer, "animation", paths, clock, [&](std::size_t frame) -> Result<FrameSettings> {
-    MIRRORBALL_TRY(pose, posed(rest, animation, length_s * double(frame) / double(paths.size())));
-    MIRRORBALL_TRY(scene, preparedPose(std::move(pose), request.scene, request.materials, settings, clock));
+    MIRRORBALL_TRY(pose, withName(request.scene.model, frames.pose(frame)));
+    MIRRORBALL_TRY(scene, preparedPose(std::move(pose), request.materials, settings, clock));
     MIRRORBALL_TRY_VOID(clock.time("GL: upload, compile", [&] { return renderer.setScene(std::move(scene)); }));
-    const FrameSettings of_frame =
-        request.turns ? turned(framed_all, request.turntable.turn, angleOf(frame, paths.size())) : framed_all;
-    return standingStill(of_frame, all, bounds, renderer.bounds());
+    const FrameSettings of_frame = request.turns
+                                       ? turned(frames.settings(), request.turntable.turn, angleOf(frame, paths.size()))
+                                       : frames.settings();
+    return frames.standingStill(of_frame, renderer.bounds());
   });
 }
 

@@ -39,13 +39,6 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .group = "Files",
       .names = projectionNames},
      &SceneRequest::from},
-    {{.name = "up",
-      .choices = "y|z",
-      .aliases = "+y=y|+z=z",
-      .help = "axis of the model that points up: z in many .stl and CAD files, which lie on their side without it",
-      .group = "Files",
-      .is_daily = true},
-     choiceField<&SceneRequest::up>},
     {kInsideOnlyText, &SceneRequest::inside_only},
     {{.name = "repair",
       .help = "replace NaN and infinite texels of the environment by the mean of their neighbours",
@@ -82,8 +75,8 @@ Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const Materia
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
-                          .load_model = {.inside_only = request.inside_only, .animation = request.animation},
-                          .up = request.up,
+                          .load_model = {.inside_only = request.inside_only, .animation = request.stance.animation},
+                          .up = request.stance.up,
                           .materials = materials,
                           .frame = look,
                           .environment = request.environment,
@@ -142,10 +135,7 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   return checkedInputs(std::move(inputs), request, outputs);
 }
 
-Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
-                           const FrameSettings& look, StageClock& clock) {
-  MIRRORBALL_TRY_VOID(withName(request.model, checkExtent(pose)));
-  standUpright(pose, request.up);
+Result<Scene> preparedPose(Scene pose, const MaterialChanges& materials, const FrameSettings& look, StageClock& clock) {
   MIRRORBALL_TRY_VOID(changeMaterials(pose, materials));
   // Each is drawn once, and so is not kept for later.
   MIRRORBALL_TRY_VOID(clock.time("model: relief, occlusion", [&] {

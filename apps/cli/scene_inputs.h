@@ -9,6 +9,7 @@
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/model_stance.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
@@ -18,8 +19,7 @@ struct SceneRequest {
   std::string model = "showcase";
   std::string environment = "studio";
   std::string from = {};
-  AnimationChoice animation = {};
-  UpAxis up = UpAxis::y;
+  ModelStance stance = {};
   QualityRequest wish = {Quality::draft};  ///< of commands whose pictures are as good as that says
   bool objects_move = false;               ///< among each other, in a turntable
   bool repair = false;
@@ -60,9 +60,9 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 /// Prepares a pose of a model as loadInputs does its first one.
 ///
 /// look     filled in by loadInputs
-/// errors   as changeMaterials' and prepareScene's; bad_file (it reaches too far)
-Result<Scene> preparedPose(Scene pose, const SceneRequest& request, const MaterialChanges& materials,
-                           const FrameSettings& look, StageClock& clock);
+/// pose     of AnimationFrames
+/// errors   as changeMaterials' and prepareScene's
+Result<Scene> preparedPose(Scene pose, const MaterialChanges& materials, const FrameSettings& look, StageClock& clock);
 
 /// Loads model and environment for the reference, which needs no driver and no quality.
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,

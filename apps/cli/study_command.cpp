@@ -54,7 +54,7 @@ Result<void> check(const StudyRequest& request) {
   if (request.scene.model == "none") return fail(ErrorCode::usage, "none has no surface to study; name a model");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   if (!request.isBuiltIn()) return {};
-  constexpr std::array<std::string_view, 8> kOfScene{"material", "set",    "fresnel", "up",
+  constexpr std::array<std::string_view, 9> kOfScene{"material", "set",    "fresnel", "up",          "animation",
                                                      "camera",   "target", "fov",     "orthographic"};
   for (const std::string_view name : kOfScene)
     if (request.given.contains(name))
@@ -91,6 +91,7 @@ std::string commandOf(const StudyRequest& request) {
   command += changesOf(materialOptions(), request.materials, usual.materials);
   for (const std::string& assignment : request.materials.set) command += " --set " + shellWord(assignment);
   return command + changesOf(sceneOptions(), request.scene, usual.scene) +
+         changesOf(stanceOptions(), request.scene.stance, usual.scene.stance) +
          changesOf(studyFrameOptions(), request.settings.frame, usual.settings.frame) +
          changesOf(studyOptions(), request.settings, usual.settings) + " --output " + shellWord(request.files.output);
 }
@@ -152,6 +153,7 @@ Command studyCommand() {
                .takes_path = true},
               request->scene.model);
   addOptions(command, sceneOptions(), request->scene, &request->given);
+  addOptions(command, stanceOptions(), request->scene.stance, &request->given);
   addOptions(command, kStudyFileOptions, request->files);
   addOptions(command, studyFrameOptions(), request->settings.frame, &request->given);
   addOptions(command, studyOptions(), request->settings);

@@ -21,6 +21,7 @@ namespace {
 
 constexpr float kPanelWidth = 340.0f;
 constexpr float kLetterHeight = 13.0f;
+constexpr float kStripHeight = 76.0f;
 
 void drawLine(const std::string& text) { ImGui::TextWrapped("%s", text.c_str()); }
 
@@ -82,8 +83,13 @@ int Desk::menuHeight() const {
   return static_cast<int>(kLetterHeight * scale_ + 2.0f * ImGui::GetStyle().FramePadding.y);
 }
 
+int Desk::stripHeight(const Viewer& viewer) const {
+  const std::vector<MapThumbnail> thumbnails = viewer.thumbnails();
+  return thumbnails.empty() ? 0 : static_cast<int>(kStripHeight * scale_);
+}
+
 void Desk::open(Viewer& viewer, const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) {
+  for (const std::string& path : filesToOpen(paths)) {
     auto opened = withFile(viewer.workspace(), path);
     if (!opened) {
       told_ = opened.error().message;
@@ -119,6 +125,11 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   drawDialog(viewer, picture_px);
   const UnderPointer under = viewer.underPointer();
   drawOverPicture(under, {0.0f, static_cast<float>(menuHeight())});
+  if (const int height = stripHeight(viewer)) {
+    ImGui::SetNextWindowPos({0.0f, static_cast<float>(menuHeight() + picture_px.y)});
+    ImGui::SetNextWindowSize({static_cast<float>(picture_px.x), static_cast<float>(height)});
+    drawThumbnails(viewer, scale_);
+  }
   const ImGuiViewport* whole = ImGui::GetMainViewport();
   const auto width = static_cast<float>(panelWidth());
   ImGui::SetNextWindowPos({whole->WorkPos.x + whole->WorkSize.x - width, whole->WorkPos.y});
@@ -179,7 +190,7 @@ void Desk::drawDialog(Viewer& viewer, glm::ivec2 picture_px) {
   } else {
     if (begins) ImGui::SetKeyboardFocusHere();
     is_accepted = ImGui::InputText("file", &path(), ImGuiInputTextFlags_EnterReturnsTrue);
-    if (dialog_ == Dialog::save_picture) drawSizeFields(picture_px);
+    if (dialog_ == Dialog::save_picture) drawSizeFields(picture_px, viewer.status().animation.shown.has_value());
     is_accepted = ImGui::Button("OK") || is_accepted;
     ImGui::SameLine();
   }
@@ -192,13 +203,14 @@ void Desk::drawDialog(Viewer& viewer, glm::ivec2 picture_px) {
   ImGui::EndPopup();
 }
 
-void Desk::drawSizeFields(glm::ivec2 picture_px) {
+void Desk::drawSizeFields(glm::ivec2 picture_px, bool has_animation) {
   ImGui::InputInt2("size in pixels", &saved_px_.x);
   ImGui::SameLine();
   if (ImGui::SmallButton("as seen")) saved_px_ = picture_px;
   saved_px_ = glm::clamp(saved_px_, glm::ivec2(1), glm::ivec2(16384));
   ImGui::InputInt("pictures of a turn, 0: one picture", &frames_);
   frames_ = glm::clamp(frames_, 0, 10000);
+  if (has_animation) ImGui::Checkbox("of the animation in place of a turn", &plays_);
 }
 
 void Desk::accept(Viewer& viewer) {
@@ -206,8 +218,11 @@ void Desk::accept(Viewer& viewer) {
   if (path().empty()) return;
   if (dialog_ == Dialog::open) return open(viewer, {path()});
   if (dialog_ == Dialog::save_picture)
-    return viewer.savePicture(
-        {.path = path(), .size_px = saved_px_, .frames = frames_, .side = editedSide(viewer.workspace())});
+    return viewer.savePicture({.path = path(),
+                               .size_px = saved_px_,
+                               .frames = frames_,
+                               .plays = plays_,
+                               .side = editedSide(viewer.workspace())});
   const auto saved = saveWorkspace(path(), viewer.workspace());
   told_ = saved ? "wrote " + path() : saved.error().message;
   if (saved && recent_) recent_->note(path());
@@ -238,6 +253,24 @@ void drawSide(const SideStatus& side) {
                 static_cast<double>(side.light.texture_bytes) / 1048576.0);
 }
 
+/// Which animation is shown, the moment of it, and whether it goes on.
+void drawAnimation(Viewer& viewer, const AnimationStatus& animation) {
+  if (animation.names.empty()) return;
+  const std::string name = animation.shown ? animation.names[*animation.shown] : "at rest";
+  History& history = viewer.history();
+  if (ImGui::BeginCombo("animation", name.c_str())) {
+    for (const std::string& each : animation.names)
+      if (ImGui::Selectable(each.c_str(), each == name))
+        history.change("Another animation", withMoment(viewer.workspace(), each, 0.0f));
+    ImGui::EndCombo();
+  }
+  float seconds = animation.seconds;
+  if (animation.shown && ImGui::SliderFloat("seconds", &seconds, 0.0f, animation.length_s))
+    history.change("Another moment", withMoment(viewer.workspace(), name, seconds), true);
+  if (ImGui::IsItemDeactivated()) history.endGesture();
+  if (ImGui::SmallButton(animation.plays ? "stop" : "play")) commandOfKey("Space")->perform(history);
+}
+
 void drawBar(const std::string& what, double share) {
   ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, what.c_str());
 }
@@ -252,6 +285,7 @@ void Desk::drawStatus(Viewer& viewer) const {
       viewer.history().change("Edit the other half", withEditedSide(viewer.workspace(), i));
     drawSide(status.sides[i]);
   }
+  drawAnimation(viewer, status.animation);
   for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());
   if (!status.loading.empty()) drawBar("loading " + status.loading, status.loaded);
   if (!status.saving.empty()) {

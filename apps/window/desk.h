@@ -37,6 +37,9 @@ class Desk {
   /// returns   whether it did
   bool handle(Viewer& viewer, const KeyPressed& pressed);
 
+  /// How high the strip of panoramas below the picture is; 0: there is none [pixels]
+  int stripHeight(const Viewer& viewer) const;
+
   void draw(Viewer& viewer, glm::ivec2 picture_px);
 
  private:
@@ -46,7 +49,7 @@ class Desk {
   void drawFileMenu(Viewer& viewer);
   std::string& path() { return paths_[static_cast<std::size_t>(dialog_)]; }
   void drawDialog(Viewer& viewer, glm::ivec2 picture_px);
-  void drawSizeFields(glm::ivec2 picture_px);
+  void drawSizeFields(glm::ivec2 picture_px, bool has_animation);
   void accept(Viewer& viewer);
   void drawStatus(Viewer& viewer) const;
   void copyCommandLine(const Viewer& viewer);
@@ -62,6 +65,7 @@ class Desk {
   std::array<std::string, 5> paths_;  // that stand in each dialog
   glm::ivec2 saved_px_{0};
   int frames_ = 0;
+  bool plays_ = false;
   std::string search_;
   std::string told_;
 };

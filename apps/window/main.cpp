@@ -74,7 +74,9 @@ Result<void> run(GLFWwindow* window, Viewer& viewer, window::WindowEvents& event
     desk.followMonitor();
     glm::ivec2 size(0);
     glfwGetFramebufferSize(window, &size.x, &size.y);
-    const glm::ivec2 picture_px = glm::max(size - glm::ivec2(desk.panelWidth(), desk.menuHeight()), glm::ivec2(1));
+    const int strip_px = desk.stripHeight(viewer);
+    const glm::ivec2 picture_px =
+        glm::max(size - glm::ivec2(desk.panelWidth(), desk.menuHeight() + strip_px), glm::ivec2(1));
     viewer.handle(Resized{picture_px});
     for (const Event& event : events.take(glm::vec2(0, desk.menuHeight()))) {
       const auto* pressed = std::get_if<KeyPressed>(&event);
@@ -83,7 +85,7 @@ Result<void> run(GLFWwindow* window, Viewer& viewer, window::WindowEvents& event
     desk.open(viewer, events.takeDropped());
     const double now_s = glfwGetTime();
     MIRRORBALL_TRY_VOID(viewer.advance(now_s - std::exchange(before_s, now_s)));
-    if (viewer.hasPicture()) MIRRORBALL_TRY_VOID(viewer.show(0, {0, 0}, picture_px));
+    if (viewer.hasPicture()) MIRRORBALL_TRY_VOID(viewer.show(0, {0, strip_px}, picture_px));
     MIRRORBALL_TRY_VOID(viewer.leave());
     desk.draw(viewer, picture_px);
     glfwSwapBuffers(window);

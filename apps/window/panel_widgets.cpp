@@ -191,6 +191,31 @@ void drawOverPicture(const UnderPointer& under, glm::vec2 corner) {
     list.AddText(placeOf(corner + text.corner), colorOf(glm::vec3(0.9f)), text.text.c_str());
 }
 
+void drawThumbnails(Viewer& viewer, float scale) {
+  constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_HorizontalScrollbar |
+                                      ImGuiWindowFlags_NoSavedSettings;
+  ImGui::Begin("panoramas", nullptr, kPlain);
+  const std::vector<MapThumbnail> thumbnails = viewer.thumbnails();
+  for (std::size_t i = 0; i < thumbnails.size(); ++i) {
+    const MapThumbnail& each = thumbnails[i];
+    ImGui::PushID(static_cast<int>(i));
+    if (i > 0) ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          ImGui::GetStyleColorVec4(each.is_shown ? ImGuiCol_HeaderActive : ImGuiCol_Button));
+    const ImVec2 size(96.0f * scale, 48.0f * scale);
+    const bool is_chosen =
+        each.texture == 0 ? ImGui::Button("…", size)
+                          : ImGui::ImageButton(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(each.texture)),
+                                               size, {0, 1}, {1, 0}, 3);
+    if (is_chosen) viewer.history().change("Another panorama", withMapShown(viewer.workspace(), i));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.name.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
 void drawCommandMenus(Viewer& viewer) {
   std::vector<std::string_view> drawn;
   for (const ViewerCommand& first : viewerCommands()) {

@@ -20,6 +20,9 @@ void drawUnderPointer(const UnderPointer& under);
 /// corner   upper left one of the picture in the window
 void drawOverPicture(const UnderPointer& under, glm::vec2 corner);
 
+/// The panoramas that there are to choose among, in a window whose place is set.
+void drawThumbnails(Viewer& viewer, float scale);
+
 /// The viewer's commands as menus, within a menu bar that has begun.
 void drawCommandMenus(Viewer& viewer);
 

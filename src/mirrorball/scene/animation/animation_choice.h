@@ -2,10 +2,8 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 
-#include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
 
 namespace mirrorball {
@@ -19,9 +17,6 @@ struct AnimationChoice {
 
   bool operator==(const AnimationChoice&) const = default;
 };
-
-/// The table of its one option, "NAME|N[@SECONDS]".
-std::span<const Option<AnimationChoice>> animationOptions();
 
 /// The place in the scene's rig of the animation that is chosen.
 ///

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/scene/animation/animation_choice.h"
+#include "mirrorball/scene/model_stance.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -101,10 +102,10 @@ TEST(AnimationSampler, SplinesOfRotationsStayRotations) {
 // --- which one is shown
 
 Result<AnimationChoice> choice(const std::string& text) {
-  AnimationChoice chosen;
-  const Result<void> assigned = assign(animationOptions().front(), chosen, text);
+  ModelStance stance;
+  const Result<void> assigned = assign(stanceOptions().back(), stance, text);
   if (!assigned) return tl::unexpected<Error>(assigned.error());
-  return chosen;
+  return stance.animation;
 }
 
 TEST(AnimationChoice, IsANameAndATime) {
@@ -118,7 +119,7 @@ TEST(AnimationChoice, IsANameAndATime) {
     EXPECT_EQ(choice(wrong).error().code, ErrorCode::usage);
     EXPECT_THAT(choice(wrong).error().message, HasSubstr("seconds from 0 on"));
   }
-  EXPECT_EQ(written(animationOptions().front(), *choice("Walk@1.5")), "Walk@1.5");
+  EXPECT_EQ(written(stanceOptions().back(), ModelStance{.animation = *choice("Walk@1.5")}), "Walk@1.5");
 }
 
 TEST(AnimationChoice, IsFoundByNameOrNumber) {

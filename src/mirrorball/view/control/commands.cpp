@@ -51,6 +51,12 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
     {"view-left", "From the left", "Camera", "Ctrl+3", "", lookAlong<AxisView::left>},
     {"view-top", "From above", "Camera", "7", "", lookAlong<AxisView::top>},
     {"view-bottom", "From below", "Camera", "Ctrl+7", "", lookAlong<AxisView::bottom>},
+    {"play", "Play the model's animation, and stop", "Camera", "Space", "",
+     [](History& history) {
+       Workspace next = history.now();
+       next.plays = !next.plays;
+       history.change("Play", std::move(next));
+     }},
     {"next-map", "Next panorama", "Light", "]", "", stepMap<1>},
     {"previous-map", "Panorama before", "Light", "[", "", stepMap<-1>},
     {"brighter", "Brighter", "Light", "=", "Shift+=", expose<1>},

@@ -81,10 +81,14 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
   const bool is_comparing = workspace.compare_by != CompareBy::none;
   MIRRORBALL_TRY(frame, frameOf(workspace, side));
   MIRRORBALL_TRY(of_both, frameOf(workspace.frame));
+  MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
   MIRRORBALL_TRY(materials, materialsOf(workspace.materials));
   const Values<FrameSettings> shared{frame, FrameSettings(), workspace.frame};
   const Values<FrameSettings> of_half{frame, of_both, workspace.sides[side].frame};
   std::vector<PanelGroup> groups;
+  for (const auto& option : stanceOptions())
+    addRow(rowOf(option, OptionTable::stance, Values<ModelStance>{stance, {}, workspace.stance}), option.text.group,
+           groups);
   for (const auto& option : frameOptions())
     addRow(rowOf(option, OptionTable::frame, is_comparing && !isShared(option.text.name) ? of_half : shared),
            option.text.group, groups);
@@ -116,6 +120,7 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
 Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, const ControlValue& value) {
   const bool is_of_quality = row.name == qualityOptions().front().text.name;
   const auto text = is_of_quality                        ? textOf<QualityRequest>(qualityOptions(), row.name, value)
+                    : row.table == OptionTable::stance   ? textOf<ModelStance>(stanceOptions(), row.name, value)
                     : row.table == OptionTable::frame    ? textOf<FrameSettings>(frameOptions(), row.name, value)
                     : row.table == OptionTable::map_view ? textOf<MapViewSettings>(mapViewOptions(), row.name, value)
                     : row.table == OptionTable::material ? textOf<MaterialChanges>(materialOptions(), row.name, value)
@@ -131,6 +136,7 @@ Workspace withoutGroup(Workspace workspace, std::string_view title) {
       if (titleOf(table, option.text) == title)
         workspace = withoutOption(std::move(workspace), table, option.text.name);
   };
+  leave(stanceOptions(), OptionTable::stance);
   leave(frameOptions(), OptionTable::frame);
   leave(qualityOptions(), OptionTable::frame);
   leave(materialOptions(), OptionTable::material);

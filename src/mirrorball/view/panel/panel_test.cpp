@@ -37,8 +37,8 @@ TEST(Panel, HasEveryRowOfTheTablesOnce) {
     EXPECT_FALSE(group.title.empty());
     for (const PanelRow& row : group.rows) rows.emplace(row.table, row.name);
   }
-  EXPECT_EQ(rows.size(),
-            frameOptions().size() + qualityOptions().size() + materialOptions().size() + materialParameters().size());
+  EXPECT_EQ(rows.size(), stanceOptions().size() + frameOptions().size() + qualityOptions().size() +
+                             materialOptions().size() + materialParameters().size());
   for (const auto& option : frameOptions()) EXPECT_EQ(rows.count({OptionTable::frame, option.text.name}), 1u);
   for (const auto& option : materialParameters()) EXPECT_EQ(rows.count({OptionTable::parameter, option.text.name}), 1u);
 }
@@ -149,8 +149,8 @@ TEST(Search, FindsWhatIsMeantFirst) {
   EXPECT_EQ(found("ToneM").front(), "tone-map") << "letters left out";
   EXPECT_EQ(found("orang").size() > 0, true) << "the name of a choice";
   EXPECT_TRUE(found("qqqq").empty());
-  EXPECT_EQ(found("").size(),
-            frameOptions().size() + qualityOptions().size() + materialOptions().size() + materialParameters().size());
+  EXPECT_EQ(found("").size(), stanceOptions().size() + frameOptions().size() + qualityOptions().size() +
+                                  materialOptions().size() + materialParameters().size());
 }
 
 }  // namespace

@@ -9,9 +9,12 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/numbered_paths.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/render/frame/animation_frames.h"
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/study/traced_frame.h"
 #include "mirrorball/trace/path_tracer.h"
 #include "mirrorball/view/control/gesture.h"
@@ -37,12 +40,14 @@ Result<RenderInputNames> namesOf(const Workspace& workspace, const PictureReques
   MIRRORBALL_TRY(frame, frameOf(given));
   MIRRORBALL_TRY(quality, qualityOf(given));
   MIRRORBALL_TRY(materials, materialsOf(workspace.materials));
+  MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
   frame.proxy.load.inside_only = inside_only;
   frame.size = request.size_px;
   standOnGround(frame);
   if (storesLinearLight(request.path)) frame.resolve = Resolve::radiance;
   RenderInputNames names{.model = workspace.model,
-                         .load_model = {.inside_only = inside_only},
+                         .load_model = {.inside_only = inside_only, .animation = std::move(stance.animation)},
+                         .up = stance.up,
                          .materials = std::move(materials),
                          .frame = std::move(frame),
                          .environment = mapOf(workspace, request.side),
@@ -100,16 +105,38 @@ Result<void> drawMap(const Workspace& workspace, const PictureRequest& request, 
 }
 
 /// Each sample of each picture is a step.
+ProgressFunction ofPicture(std::size_t picture, std::size_t pictures, const ProgressFunction& progress) {
+  return [=, &progress](std::size_t done, std::size_t total) {
+    return !progress || progress(picture * total + done, pictures * total);
+  };
+}
+
 Result<void> drawTurn(Renderer& renderer, FrameSettings frame, const std::vector<std::string>& paths,
                       const ProgressFunction& progress) {
   const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
   frame.camera = framed(renderer.scene(), renderer.bounds(), frame.camera, aspect, FramingOf::whole_turn);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const float angle_deg = 360.0f * static_cast<float>(i) / static_cast<float>(paths.size());
-    const ProgressFunction of_turn = [&](std::size_t done, std::size_t total) {
-      return !progress || progress(i * total + done, paths.size() * total);
-    };
-    MIRRORBALL_TRY_VOID(draw(renderer, turned(frame, Turn::camera, angle_deg), paths[i], of_turn));
+    MIRRORBALL_TRY_VOID(
+        draw(renderer, turned(frame, Turn::camera, angle_deg), paths[i], ofPicture(i, paths.size(), progress)));
+  }
+  return {};
+}
+
+Result<void> drawAnimation(Renderer& renderer, const Workspace& workspace, const RenderInputNames& names,
+                           const FrameSettings& frame, const std::vector<std::string>& paths,
+                           const ProgressFunction& progress) {
+  MIRRORBALL_TRY(rest, loadModel(names.model, {.inside_only = names.load_model.inside_only}));
+  MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
+  MIRRORBALL_TRY(frames, AnimationFrames::make(std::move(rest), stance, frame, paths.size(), FramingOf::still));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    MIRRORBALL_TRY(pose, frames.pose(i));
+    MIRRORBALL_TRY_VOID(changeMaterials(pose, names.materials));
+    MIRRORBALL_TRY_VOID(changeParameters(pose, workspace));
+    MIRRORBALL_TRY_VOID(prepareScene(pose, preparationFor(frame), {}));
+    MIRRORBALL_TRY_VOID(renderer.setScene(std::move(pose)));
+    MIRRORBALL_TRY(of_picture, frames.standingStill(frames.settings(), renderer.bounds()));
+    MIRRORBALL_TRY_VOID(draw(renderer, of_picture, paths[i], ofPicture(i, paths.size(), progress)));
   }
   return {};
 }
@@ -125,7 +152,7 @@ Result<std::string> makePicture(const Workspace& workspace, const PictureRequest
     return request.path;
   }
   if (isTraced(workspace, request.side)) {
-    if (request.frames > 0) return fail(ErrorCode::usage, "the reference makes one picture, and no turntable");
+    if (request.frames > 0) return fail(ErrorCode::usage, "the reference makes one picture, and not several");
     MIRRORBALL_TRY_VOID(trace(workspace, request, names, progress));
     return request.path;
   }
@@ -137,11 +164,16 @@ Result<std::string> makePicture(const Workspace& workspace, const PictureRequest
     MIRRORBALL_TRY_VOID(draw(renderer, frame, request.path, progress));
     return request.path;
   }
+  MIRRORBALL_TRY(paths, numberedPaths(request.path, request.frames));
+  const std::string written = paths.front() + " … " + paths.back();
+  if (request.plays) {
+    MIRRORBALL_TRY_VOID(drawAnimation(renderer, workspace, names, frame, paths, progress));
+    return written;
+  }
   if (!frame.camera.name.empty())
     return fail(ErrorCode::usage, "the camera '" + frame.camera.name + "' stands still; choose another for a turn");
-  MIRRORBALL_TRY(paths, numberedPaths(request.path, request.frames));
   MIRRORBALL_TRY_VOID(drawTurn(renderer, frame, paths, progress));
-  return paths.front() + " … " + paths.back();
+  return written;
 }
 
 }  // namespace mirrorball

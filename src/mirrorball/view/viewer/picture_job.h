@@ -13,11 +13,13 @@
 
 namespace mirrorball {
 
-/// A picture file that is to be made of one half of a workspace, or several of a full turn of the camera.
+/// A picture file that is to be made of one half of a workspace, or several of a full turn of the camera or of an
+/// animation.
 struct PictureRequest {
   std::string path;  ///< as `render --output` takes it
   glm::ivec2 size_px{1280, 720};
-  int frames = 0;  ///< of a full turn, numbered as numberedPaths does; 0: one picture
+  int frames = 0;      ///< several, numbered as numberedPaths does; 0: one picture
+  bool plays = false;  ///< several go over the length of the animation that is chosen; else they make a full turn
   std::size_t side = 0;
 };
 

@@ -2,18 +2,36 @@
 
 #include <utility>
 
+#include "mirrorball/scene/animation/animation_choice.h"
+#include "mirrorball/scene/animation/pose.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material_changes.h"
 
 namespace mirrorball {
+namespace {
+
+/// As loadModel and prepareModel have it.
+Result<Scene> standingAs(Scene scene, const ModelStance& stance) {
+  if (!stance.animation.name.empty()) {
+    MIRRORBALL_TRY(animation, chosenAnimation(scene, stance.animation));
+    MIRRORBALL_TRY(pose, posed(std::move(scene), animation, double(stance.animation.seconds.value_or(0.0f))));
+    MIRRORBALL_TRY_VOID(checkExtent(pose));
+    scene = std::move(pose);
+  }
+  standUpright(scene, stance.up);
+  return scene;
+}
+
+}  // namespace
 
 bool ShownModel::follow(const Workspace& workspace, bool inside_only) {
   loading_.askFor(workspace.model, [inside_only](const std::string& name, const ProgressFunction& progress) {
     return loadedModel(name, inside_only, progress);
   });
   const bool is_other = take();
-  // What is said of materials is said of the model that is asked for.
-  if (!isThere() || hasMaterials(workspace) || loading_.isRunning() || !loading_.problem().empty()) return is_other;
-  const auto changed = changeMaterialsTo(workspace);
+  // What is said of a model is said of the one that is asked for.
+  if (!isThere() || isAs(workspace) || loading_.isRunning() || !loading_.problem().empty()) return is_other;
+  const auto changed = changeTo(workspace);
   problem_ = changed ? std::string() : changed.error().message;
   changed_for_ = workspace;
   return is_other;
@@ -23,9 +41,10 @@ bool ShownModel::take() {
   auto ready = loading_.take();
   if (!ready) return false;
   watch_.watch(ready->scene.files);
-  changed_ = optioned_ = loaded_ = std::move(ready->scene);
+  changed_ = optioned_ = standing_ = loaded_ = std::move(ready->scene);
   levels_ = std::move(ready->levels);
   hides_itself_ = ready->hides_itself;
+  standing_for_.clear();
   optioned_for_.clear();
   changed_for_.reset();
   problem_.clear();
@@ -35,7 +54,7 @@ bool ShownModel::take() {
 
 bool ShownModel::isUpToDate(const Workspace& workspace) const {
   if (!loading_.isAskedFor(workspace.model) || loading_.isRunning()) return false;
-  return !loading_.problem().empty() || hasMaterials(workspace);
+  return !loading_.problem().empty() || isAs(workspace);
 }
 
 SceneTraits ShownModel::traits() const {
@@ -45,16 +64,24 @@ SceneTraits ShownModel::traits() const {
   return traits;
 }
 
-bool ShownModel::hasMaterials(const Workspace& workspace) const {
-  if (!changed_for_) return workspace.materials.empty() && workspace.parameters.empty();
-  return changed_for_->materials == workspace.materials && changed_for_->parameters == workspace.parameters;
+bool ShownModel::isAs(const Workspace& workspace) const {
+  if (!changed_for_) return workspace.stance.empty() && workspace.materials.empty() && workspace.parameters.empty();
+  return changed_for_->stance == workspace.stance && changed_for_->materials == workspace.materials &&
+         changed_for_->parameters == workspace.parameters;
 }
 
 /// errors   usage: then they are as before
-Result<void> ShownModel::changeMaterialsTo(const Workspace& workspace) {
-  if (optioned_for_ != workspace.materials) {
+Result<void> ShownModel::changeTo(const Workspace& workspace) {
+  const bool stands_otherwise = standing_for_ != workspace.stance;
+  if (stands_otherwise) {
+    MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
+    MIRRORBALL_TRY(standing, standingAs(loaded_, stance));
+    standing_ = std::move(standing);
+    standing_for_ = workspace.stance;
+  }
+  if (stands_otherwise || optioned_for_ != workspace.materials) {
     MIRRORBALL_TRY(changes, materialsOf(workspace.materials));
-    Scene optioned = loaded_;
+    Scene optioned = standing_;
     MIRRORBALL_TRY_VOID(changeMaterials(optioned, changes));
     optioned_ = std::move(optioned);
     optioned_for_ = workspace.materials;

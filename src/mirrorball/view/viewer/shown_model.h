@@ -11,11 +11,11 @@
 
 namespace mirrorball {
 
-/// The model of a workspace with the materials that it asks for. Loaded beside its owner; until another is there, the
+/// The model of a workspace, which stands as that says and has the materials that it asks for. Loaded beside its owner; until another is there, the
 /// one before is shown.
 class ShownModel {
  public:
-  /// Begins to load what the workspace asks for, takes what was loaded, and changes the materials.
+  /// Begins to load what the workspace asks for, takes what was loaded, and changes it.
   ///
   /// returns   whether it is another model than before
   bool follow(const Workspace& workspace, bool inside_only);
@@ -31,6 +31,8 @@ class ShownModel {
   /// Counts its changes.
   int version() const { return version_; }
   const Scene& scene() const { return changed_; }
+  /// The model as its file has it, with its animations.
+  const Scene& rest() const { return loaded_; }
   /// The levels of its textures, once: who shows it first need not make them.
   LevelsOfMaps takeLevels() { return std::exchange(levels_, {}); }
   SceneTraits traits() const;
@@ -43,15 +45,17 @@ class ShownModel {
 
  private:
   bool take();
-  bool hasMaterials(const Workspace& workspace) const;
-  Result<void> changeMaterialsTo(const Workspace& workspace);
+  bool isAs(const Workspace& workspace) const;
+  Result<void> changeTo(const Workspace& workspace);
 
   LoadingByName<LoadedModel> loading_;
   Scene loaded_;    // as the file has it
-  Scene optioned_;  // that, as Workspace::materials says
+  Scene standing_;  // that, as Workspace::stance says
+  Scene optioned_;  // and that, as Workspace::materials says
   Scene changed_;   // and that, as Workspace::parameters says
   LevelsOfMaps levels_;
   bool hides_itself_ = false;
+  GivenTexts standing_for_;
   GivenTexts optioned_for_;
   std::optional<Workspace> changed_for_;  // nothing: the materials are the file's
   std::string problem_;

@@ -28,7 +28,8 @@ Viewer::State::State(const Device& on, Workspace start, glm::ivec2 size, ViewerO
       drawn{DrawnSide(on, options.frame_s), DrawnSide(on, options.frame_s)},
       traced{TracedSide(on), TracedSide(on)},
       compared(on),
-      map(on) {}
+      map(on),
+      thumbnails(on) {}
 
 bool Viewer::State::moves() const { return since_moved_s < kRest_s; }
 
@@ -38,7 +39,7 @@ ShownPicture Viewer::State::shown() const {
   const float aspect = static_cast<float>(size_px.x) / static_cast<float>(size_px.y);
   const Stage& stage = stages[0]->stage();
   return {.camera = placedCamera(stage.scene(), stage.bounds(), frame.camera, aspect),
-          .bounds = stage.bounds(),
+          .bounds = player.boundsOr(stage.bounds()),
           .size_px = size_px,
           .env_rotation_deg = frame.env_rotation_deg};
 }
@@ -47,6 +48,20 @@ void Viewer::State::apply(std::optional<Change> change) {
   if (!change || change->next == now()) return;
   has_just_moved = change->goes_on;
   history.change(std::move(change->name), std::move(change->next), change->goes_on);
+}
+
+void Viewer::State::play(double seconds) {
+  if (!now().plays && !player.isPlaying()) return;
+  since_moment_s = player.isPlaying() ? since_moment_s + std::max(seconds, 0.0) : 0.0;
+  if (now().plays && !isMomentSeen()) return;
+  FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
+  frame.size = size_px;
+  standOnGround(frame);
+  const Scene& shown = stages[0]->stage().scene();
+  auto next = player.advance(std::exchange(since_moment_s, 0.0), now(), model.rest(), shown, frame);
+  if (!next) return;
+  has_just_moved = player.isPlaying();
+  history.goOn(std::move(*next));
 }
 
 /// Selects the material of what a click has met, once that is known.
@@ -135,19 +150,26 @@ Result<bool> Viewer::advance(double seconds) {
   const bool moved = state.moves();
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
+  state.play(seconds);
   state.askDisk(seconds);
+  MIRRORBALL_TRY(is_other_thumbnail, state.thumbnails.follow(state.now()));
   if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
   if (state.needsMap()) state.map.follow(mapOf(state.now(), editedSide(state.now())), state.options.cache);
-  if (state.now().shows_map) return state.advanceMap();
-  MIRRORBALL_TRY_VOID(state.follow());
-  MIRRORBALL_TRY_VOID(state.takeClick());
-  MIRRORBALL_TRY_VOID(state.advanceInspection());
-  return state.advanceSides();
+  const auto drawn = state.now().shows_map ? state.advanceMap() : state.advanceModel();
+  return is_other_thumbnail && drawn ? Result<bool>(true) : drawn;
+}
+
+Result<bool> Viewer::State::advanceModel() {
+  MIRRORBALL_TRY_VOID(follow());
+  MIRRORBALL_TRY_VOID(takeClick());
+  MIRRORBALL_TRY_VOID(advanceInspection());
+  return advanceSides();
 }
 
 bool Viewer::isDone() const {
   const State& state = *state_;
-  if (state.has_just_moved || state.moves()) return false;
+  if (state.has_just_moved || state.moves() || state.player.isPlaying()) return false;
+  if (!state.thumbnails.isDone(state.now())) return false;
   if (state.now().shows_map) return state.isMapDone();
   if (state.clicked_px || !state.isUpToDate() || !state.isInspectorDone()) return false;
   const std::vector<std::size_t> sides = state.wantedSides();
@@ -159,9 +181,10 @@ bool Viewer::isWaiting() const {
   const State& state = *state_;
   ViewerStatus status;
   state.tellLoading(status);
-  if (state.now().shows_map) return !status.loading.empty();
+  const bool goes_on_beside = !status.loading.empty() || !state.thumbnails.isDone(state.now());
+  if (state.now().shows_map) return goes_on_beside;
   const std::vector<std::size_t> sides = state.wantedSides();
-  return !status.loading.empty() &&
+  return goes_on_beside &&
          std::none_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.canGoOn(side); });
 }
 
@@ -170,7 +193,7 @@ History& Viewer::history() { return state_->history; }
 
 ViewerStatus Viewer::status() const {
   const State& state = *state_;
-  ViewerStatus status{.problem = state.problem()};
+  ViewerStatus status{.animation = animationStatus(state.now(), state.model.rest()), .problem = state.problem()};
   for (const std::size_t side : state.isComparing() ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0})
     status.sides.push_back(state.statusOf(side));
   if (state.isComparing()) status.errors = state.compared.errors();
@@ -186,6 +209,8 @@ const Material* Viewer::selectedMaterial() const {
   const Scene& scene = state_->model.withoutParameters();
   return selected && *selected < scene.materials.size() ? &scene.materials[*selected] : nullptr;
 }
+
+std::vector<MapThumbnail> Viewer::thumbnails() const { return state_->thumbnails.of(state_->now()); }
 
 UnderPointer Viewer::underPointer() const { return state_->underPointer(); }
 

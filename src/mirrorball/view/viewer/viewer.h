@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -65,6 +66,9 @@ class Viewer {
   /// What is told of the place under the pointer, and written over the picture: while the map is shown alone, or where
   /// the workspace inspects.
   UnderPointer underPointer() const;
+
+  /// The panoramas that there are to choose among; empty: there is but one. Textures stay until the next `advance`.
+  std::vector<MapThumbnail> thumbnails() const;
 
   /// Whether there is a picture.
   bool hasPicture() const;

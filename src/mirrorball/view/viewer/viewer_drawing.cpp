@@ -36,6 +36,8 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   frame.proxy.load.inside_only = options.inside_only;
   frame.size = size_px;
   standOnGround(frame);
+  MIRRORBALL_TRY(still, player.standingStill(std::move(frame), stageOf(side).stage().bounds()));
+  frame = std::move(still);
   WantedFrame wanted{.drawn = frame, .traced = frame};
   if (!given.contains("samples")) wanted.traced.samples = TraceSettings().samples;
   std::set<std::string_view> names;
@@ -93,6 +95,12 @@ bool Viewer::State::isSideDone(std::size_t side) const {
   if (!frame) return true;
   if (isTraced(side) && !moves()) return traced[side].isDone(stageOf(side), frame->traced);
   return drawn[side].isDone(stageOf(side), frame->drawn);
+}
+
+bool Viewer::State::isMomentSeen() const {
+  const std::vector<std::size_t> sides = seenSides();
+  return isUpToDate() && std::all_of(sides.begin(), sides.end(),
+                                     [&](std::size_t side) { return samplesOf(side) > 0 || isSideDone(side); });
 }
 
 bool Viewer::State::canGoOn(std::size_t side) const {

@@ -8,10 +8,12 @@
 
 #include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/view/control/gesture.h"
+#include "mirrorball/view/viewer/animation_player.h"
 #include "mirrorball/view/viewer/compared_sides.h"
 #include "mirrorball/view/viewer/composition.h"
 #include "mirrorball/view/viewer/drawn_side.h"
 #include "mirrorball/view/viewer/lit_stage.h"
+#include "mirrorball/view/viewer/map_thumbnails.h"
 #include "mirrorball/view/viewer/pointer_inspector.h"
 #include "mirrorball/view/viewer/shown_map.h"
 #include "mirrorball/view/viewer/shown_model.h"
@@ -55,6 +57,10 @@ struct Viewer::State {
   bool isInspectorDone() const;
   UnderPointer underPointer() const;
 
+  /// Shows the next moment of an animation that goes on, once the one before is seen.
+  void play(double seconds);
+  bool isMomentSeen() const;
+
   // What is loaded.
   Result<void> follow();
   /// Loads again what has changed on the disk, which it asks about once a second.
@@ -65,6 +71,7 @@ struct Viewer::State {
 
   // What is drawn (viewer_drawing.cpp).
   Result<WantedFrame> wanted(std::size_t side) const;
+  Result<bool> advanceModel();
   Result<bool> advanceSides();
   Result<bool> advance(std::size_t side);
   Result<bool> draw(std::size_t side);
@@ -98,11 +105,14 @@ struct Viewer::State {
   bool has_just_moved = false;               ///< since the last `advance`
   std::optional<glm::vec2> clicked_px = {};  ///< where what is there is still to be found
   ShownModel model = {};
+  AnimationPlayer player = {};
+  double since_moment_s = 0.0;
   std::array<std::unique_ptr<LitStage>, 2> stages;  ///< of both halves; with one map the first is
   std::array<DrawnSide, 2> drawn;
   std::array<TracedSide, 2> traced;
   ComparedSides compared;
   ShownMap map;
+  MapThumbnails thumbnails;
   PointerInspector inspector = {};
   std::optional<glm::vec2> pointer_px = {};
   MapViewSettings map_settings = {};  ///< that are shown; of a text that is refused, those before

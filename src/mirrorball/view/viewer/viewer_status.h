@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +30,27 @@ struct ErrorText {
   std::string value;  ///< "31.4 dB"
 };
 
+/// The animations that a model has of its own.
+struct AnimationStatus {
+  std::vector<std::string> names = {};    ///< empty: it has none
+  std::optional<std::size_t> shown = {};  ///< of these; nothing: the model is at rest
+  float seconds = 0.0f;                   ///< the moment that is shown
+  float length_s = 0.0f;                  ///< of the one that is shown
+  bool plays = false;
+};
+
+/// One of the panoramas that there are to choose among.
+struct MapThumbnail {
+  std::string name;       ///< as Workspace::maps has it
+  bool is_shown = false;  ///< in the half that is edited
+  unsigned texture = 0;   ///< OpenGL's name of a small picture; row 0 is its bottom. 0: there is none yet, or it cannot
+                          ///< be loaded
+  glm::ivec2 size_px{0};
+};
+
 /// What lines of status say.
 struct ViewerStatus {
+  AnimationStatus animation = {};
   std::string loading = {};            ///< what is loaded; empty: nothing
   double loaded = 0.0;                 ///< how much of it, 0 … 1
   std::vector<SideStatus> sides = {};  ///< one, or in a comparison two

@@ -261,6 +261,25 @@ TEST_F(ViewerTest, AFileThatWasWrittenAgainIsShown) {
   EXPECT_EQ(pictureOf(viewer), green);
 }
 
+TEST_F(ViewerTest, PanoramasAreSeenInSmall) {
+  Workspace workspace = teapot();
+  workspace.maps = {"white"};
+  Viewer viewer(device(), workspace, kSize);
+  finish(viewer);
+  EXPECT_TRUE(viewer.thumbnails().empty()) << "there is nothing to choose";
+  viewer.history().change("Open", withMap(withMap(workspace, "uv"), "nowhere.hdr"));
+  viewer.history().change("Choose", withMapShown(viewer.workspace(), 1));
+  finish(viewer);
+  const auto thumbnails = viewer.thumbnails();
+  ASSERT_EQ(thumbnails.size(), 3u);
+  EXPECT_EQ(thumbnails[1].name, "uv");
+  EXPECT_TRUE(thumbnails[1].is_shown && !thumbnails[0].is_shown);
+  EXPECT_TRUE(thumbnails[0].texture != 0 && thumbnails[1].texture != 0);
+  EXPECT_NE(thumbnails[0].texture, thumbnails[1].texture);
+  EXPECT_EQ(thumbnails[1].size_px, glm::ivec2(96, 48));
+  EXPECT_EQ(thumbnails[2].texture, 0u) << "it cannot be loaded";
+}
+
 TEST_F(ViewerTest, EndsWhileItLoads) {
   for (int steps = 0; steps < 4; ++steps) {
     Workspace big = teapot();

@@ -1,6 +1,8 @@
 #include "mirrorball/view/workspace/arguments.h"
 
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +12,8 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/environment/file/load.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
@@ -23,17 +27,33 @@ struct Known {
   bool is_flag;
 };
 
-std::optional<Known> optionNamed(std::string_view name) {
-  const auto is_it = [&](const OptionText& text) {
-    return text.name == name || (!text.also.empty() && text.also == name);
+/// All of them.
+std::vector<Known> knownOptions() {
+  std::vector<Known> known;
+  const auto add = [&](OptionTable table, auto options) {
+    for (const auto& option : options) known.push_back({table, option.text, option.isFlag()});
   };
-  for (const auto& option : frameOptions())
-    if (is_it(option.text)) return Known{OptionTable::frame, option.text, option.isFlag()};
-  for (const auto& option : qualityOptions())
-    if (is_it(option.text)) return Known{OptionTable::frame, option.text, option.isFlag()};
-  for (const auto& option : materialOptions())
-    if (is_it(option.text)) return Known{OptionTable::material, option.text, option.isFlag()};
+  add(OptionTable::stance, stanceOptions());
+  add(OptionTable::frame, frameOptions());
+  add(OptionTable::frame, qualityOptions());
+  add(OptionTable::material, materialOptions());
+  return known;
+}
+
+std::optional<Known> optionNamed(std::string_view name) {
+  for (const Known& each : knownOptions())
+    if (each.text.name == name || (!each.text.also.empty() && each.text.also == name)) return each;
   return std::nullopt;
+}
+
+/// The error of a name that no option has, with the one that is likely meant.
+tl::unexpected<Error> unknownOption(std::string_view name) {
+  const std::vector<Known> known = knownOptions();
+  std::vector<std::string_view> names{"env", "reference"};
+  for (const Known& each : known) names.push_back(each.text.name);
+  const auto meant = nearestWord(name, names);
+  return fail(ErrorCode::usage, "there is no option --" + excerpt(std::string(name)) +
+                                    (meant ? "; did you mean --" + std::string(*meant) + "?" : ""));
 }
 
 /// Words that are read one after the other.
@@ -71,22 +91,33 @@ Result<Bytes> beginOf(const std::string& path) {
   return bytes;
 }
 
-Result<Workspace> withWord(Workspace workspace, const std::string& word, Words& words) {
+/// What is said in one or two words of a command line: a file to open, or an option.
+struct Said {
+  bool is_file = false;
+  bool is_environment = false;  ///< a file that -e names
+  std::string word;             ///< the file, or the option as it is written
+  std::optional<Known> option = {};
+  std::string text = {};  ///< the option's
+};
+
+/// errors   usage
+Result<Said> saidNext(Words& words) {
+  const std::string& word = words.next();
   if (word == "-e" || word == "--env") {
     MIRRORBALL_TRY(map, words.valueOf(word, std::nullopt));
-    return withOnlyMap(std::move(workspace), std::move(map));
+    return Said{.is_file = true, .is_environment = true, .word = std::move(map)};
   }
-  if (!word.starts_with("--")) return withFile(std::move(workspace), word);
+  if (!word.starts_with("--")) return Said{.is_file = true, .word = word};
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-  if (name == "reference") return withTruth(std::move(workspace));
+  if (name == "reference") return Said{.word = word};
   const auto known = optionNamed(name);
-  if (!known) return fail(ErrorCode::usage, "there is no option --" + excerpt(name));
+  if (!known) return unknownOption(name);
   std::optional<std::string> value;
   if (equals != std::string::npos) value = word.substr(equals + 1);
   if (known->is_flag && !value) value = "yes";
   MIRRORBALL_TRY(text, words.valueOf(word, std::move(value)));
-  return withOption(std::move(workspace), known->table, known->text.name, text);
+  return Said{.word = word, .option = known, .text = std::move(text)};
 }
 
 /// A word as a shell reads it.
@@ -106,18 +137,32 @@ void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
 }  // namespace
 
 Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
+  std::vector<Said> all;
+  for (Words words(arguments); !words.empty();) {
+    MIRRORBALL_TRY(said, saidNext(words));
+    all.push_back(std::move(said));
+  }
   const Workspace start;
   Workspace workspace = start;
   bool names_environment = false, is_builtin = true;
-  for (Words words(arguments); !words.empty();) {
-    const std::string& word = words.next();
-    names_environment = names_environment || word == "-e" || word == "--env";
-    is_builtin = is_builtin && (word.starts_with("-") || contains(builtinModelNames(), word));
-    MIRRORBALL_TRY(next, withWord(std::move(workspace), word, words));
+  // Another model forgets what was said of the one before, so files come first.
+  for (const Said& said : all) {
+    if (!said.is_file) continue;
+    names_environment = names_environment || said.is_environment;
+    is_builtin = is_builtin && (said.is_environment || contains(builtinModelNames(), said.word));
+    MIRRORBALL_TRY(next, said.is_environment ? Result<Workspace>(withOnlyMap(std::move(workspace), said.word))
+                                             : withFile(std::move(workspace), said.word));
     workspace = std::move(next);
     // The first panorama that is opened takes the place of the one that nobody has asked for.
     if (!names_environment && workspace.maps.size() == 2 && workspace.maps.front() == start.maps.front())
       workspace = withOnlyMap(std::move(workspace), std::string(workspace.maps.back()));
+  }
+  for (const Said& said : all) {
+    if (said.is_file) continue;
+    MIRRORBALL_TRY(next, said.option
+                             ? withOption(std::move(workspace), said.option->table, said.option->text.name, said.text)
+                             : Result<Workspace>(withTruth(std::move(workspace))));
+    workspace = std::move(next);
   }
   if (is_builtin && !names_environment && workspace.model == start.model) return withShowcase(std::move(workspace));
   return workspace;
@@ -129,6 +174,7 @@ Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std
                 "single materials were changed, which no option of render says; save a workspace instead");
   std::vector<std::string> words{workspace.model, "-e", mapOf(workspace, side)};
   if (isTraced(workspace, side)) words.emplace_back("--reference");
+  addOptions(workspace.stance, words);
   addOptions(givenFrame(workspace, side), words);
   addOptions(workspace.materials, words);
   return words;
@@ -145,12 +191,27 @@ Result<Workspace> withFile(Workspace workspace, const std::string& path) {
   if (contains(builtinModelNames(), path)) return withModel(std::move(workspace), path);
   const std::string_view name = std::string_view(path).substr(0, path.find(':'));
   if (contains(builtinEnvironmentNames(), name)) return withMap(std::move(workspace), path);
+  if (std::filesystem::is_directory(path)) {
+    MIRRORBALL_TRY_VOID(faceFilesIn(path));
+    return withMap(std::move(workspace), path);
+  }
   if (modelFormatOf(path)) return withModel(std::move(workspace), path);
   MIRRORBALL_TRY(begin, beginOf(path));
   if (isImage(begin) || isImageSet(begin)) return withMap(std::move(workspace), path);
   if (!begin.empty() && begin.front() == '{') return loadWorkspace(path);
   return fail(ErrorCode::unsupported,
               path + ": is no model (" + modelExtensions() + "), no picture of an environment and no workspace");
+}
+
+std::vector<std::string> filesToOpen(std::span<const std::string> paths) {
+  std::vector<std::string> files;
+  std::set<std::filesystem::path> stood_for;
+  for (const std::string& path : paths) {
+    if (stood_for.contains(path)) continue;
+    files.push_back(path);
+    if (const auto faces = cubeFilesOf(path, {})) stood_for.insert(faces->paths.begin(), faces->paths.end());
+  }
+  return files;
 }
 
 }  // namespace mirrorball

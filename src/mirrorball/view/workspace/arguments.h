@@ -27,8 +27,11 @@ Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t si
 
 /// Opens a file as what it is: a model, a panorama or another map of all directions, or a workspace.
 ///
-/// path     or the name of a built-in model or environment
+/// path     or the name of a built-in model or environment, or a folder that holds the six faces of a cube
 /// errors   not_found; unsupported: it is none of these; as loadWorkspace's
 Result<Workspace> withFile(Workspace workspace, const std::string& path);
+
+/// Files that were dropped together, without those that another one stands for: of a cube's six faces the first.
+std::vector<std::string> filesToOpen(std::span<const std::string> paths);
 
 }  // namespace mirrorball

@@ -1,5 +1,6 @@
 #include "mirrorball/view/workspace/arguments.h"
 
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -36,6 +37,14 @@ TEST(Arguments, AreWordsOfRender) {
   EXPECT_EQ(*read({"--camera=10,20"}), withShowcase(*read({"-e", "studio", "--camera=10,20"})));
 }
 
+TEST(Arguments, SayHowAModelStandsBeforeItIsNamed) {
+  const Workspace workspace = *read({"--up", "z", "--animation=Walk@0.5", "--camera=10,20,3", "knot"});
+  EXPECT_EQ(workspace.model, "knot");
+  EXPECT_EQ(*stanceOf(workspace.stance), (ModelStance{UpAxis::z, {"Walk", 0.5f}}));
+  EXPECT_EQ(frameOf(workspace, 0)->camera.distance, 3.0f);
+  EXPECT_EQ(*read(*renderArguments(workspace, 0)), workspace);
+}
+
 TEST(Arguments, OpenAWorkspaceAsItIs) {
   Workspace workspace;
   workspace.frame = {{"fov", {"20"}}};
@@ -49,6 +58,8 @@ TEST(Arguments, OpenAWorkspaceAsItIs) {
 
 TEST(Arguments, RefusesOthers) {
   EXPECT_THAT(read({"--no-such"}).error().message, HasSubstr("--no-such"));
+  EXPECT_EQ(read({"--rougness=1"}).error().message, "there is no option --rougness; did you mean --ground-roughness?");
+  EXPECT_EQ(read({"--backgroud=light"}).error().message, "there is no option --backgroud; did you mean --background?");
   EXPECT_THAT(read({"--fov"}).error().message, HasSubstr("needs a value"));
   EXPECT_THAT(read({"--fov", "wide"}).error().message, HasSubstr("fov"));
   EXPECT_THAT(read({"nowhere.glb"}).error().message, HasSubstr("nowhere.glb"));
@@ -72,6 +83,22 @@ TEST(Arguments, SayAWorkspaceAgain) {
   workspace.selected_material = 0;
   workspace = *withOption(workspace, OptionTable::parameter, "metallic", "0.5");
   EXPECT_FALSE(renderArguments(workspace, 0));
+}
+
+TEST(OpenedFile, SixFacesAreOneMap) {
+  const std::string folder = ::testing::TempDir() + "six_faces/";
+  std::filesystem::create_directories(folder);
+  std::vector<std::string> paths;
+  for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"}) {
+    paths.push_back(folder + "room_" + face + ".hdr");
+    ASSERT_TRUE(writeImage(paths.back(), Image(4, 4, 3, 0.5f)));
+  }
+  EXPECT_EQ(filesToOpen(paths), std::vector<std::string>{paths.front()});
+  EXPECT_EQ(withFile({}, folder)->maps.back(), folder);
+  const std::string other = ::testing::TempDir() + "alone.hdr";
+  ASSERT_TRUE(writeImage(other, Image(4, 2, 3, 0.5f)));
+  EXPECT_EQ(filesToOpen(std::vector{other, paths[3], paths[0]}), (std::vector{other, paths[3]}));
+  EXPECT_FALSE(withFile({}, ::testing::TempDir()));
 }
 
 TEST(OpenedFile, IsTakenForWhatItIs) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "mirrorball/view/workspace/workspace.h"
 
@@ -21,6 +22,9 @@ class History {
   /// name       as a menu says it after "Undo": "Roughness", "Turn the light"
   /// goes_on    it goes on with the step before, if that has the same name, as while a hand drags: both are one step
   void change(std::string name, Workspace next, bool goes_on = false);
+
+  /// What goes on by itself, as an animation: takes the place of what is now, and is no step.
+  void goOn(Workspace next) { steps_[now_].workspace = std::move(next); }
 
   /// Ends what a hand does: a change that comes after is another step, whatever its name.
   void endGesture() { is_going_on_ = false; }

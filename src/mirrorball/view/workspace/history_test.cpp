@@ -76,7 +76,7 @@ class RandomUser {
 
   void act(History& history) {
     const Workspace& now = history.now();
-    switch (below(9)) {
+    switch (below(10)) {
       case 0:
         return (void)history.undo();
       case 1:
@@ -93,6 +93,8 @@ class RandomUser {
       case 6:
         return history.change("Compare", comparing(now));
       case 7:
+        return play(history);
+      case 8:
         return history.change("Reset", below(10) == 0 ? withoutOptions(now) : withoutGroup(now, groupOf(now)));
       default:
         return setRow(history);
@@ -102,6 +104,14 @@ class RandomUser {
  private:
   std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
   float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+
+  /// An animation that goes on is no step.
+  void play(History& history) {
+    if (history.now().plays) history.goOn(withMoment(history.now(), "Walk", between(0.0f, 4.0f)));
+    Workspace next = history.now();
+    next.plays = !next.plays;
+    history.change("Play", std::move(next));
+  }
 
   Workspace moved(const Workspace& now) {
     constexpr glm::ivec2 kSize{640, 360};

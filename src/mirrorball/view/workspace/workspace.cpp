@@ -71,6 +71,7 @@ GivenTexts& editedFrame(Workspace& workspace, std::string_view name) {
 
 /// What the panels change; null: no material is selected.
 GivenTexts* editedTexts(Workspace& workspace, OptionTable table, std::string_view name) {
+  if (table == OptionTable::stance) return &workspace.stance;
   if (table == OptionTable::frame) return &editedFrame(workspace, name);
   if (table == OptionTable::material) return &workspace.materials;
   if (table == OptionTable::map_view) return &workspace.map_view;
@@ -124,6 +125,12 @@ Result<Quality> qualityOf(const GivenTexts& given) {
   return wish.quality;
 }
 
+Result<ModelStance> stanceOf(const GivenTexts& given) {
+  ModelStance stance;
+  MIRRORBALL_TRY_VOID(assignAll(stanceOptions(), given, stance));
+  return stance;
+}
+
 Result<MaterialChanges> materialsOf(const GivenTexts& given) {
   MaterialChanges changes;
   MIRRORBALL_TRY_VOID(assignAll(materialOptions(), given, changes));
@@ -160,7 +167,9 @@ Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string
   if (table == OptionTable::material) return withMaterialOption(std::move(workspace), name, text);
   GivenTexts* given = editedTexts(workspace, table, name);
   if (!given) return fail(ErrorCode::usage, std::string(name) + ": no material is selected");
-  if (table == OptionTable::map_view)
+  if (table == OptionTable::stance)
+    MIRRORBALL_TRY_VOID(give<ModelStance>(stanceOptions(), name, text, {}, *given));
+  else if (table == OptionTable::map_view)
     MIRRORBALL_TRY_VOID(give<MapViewSettings>(mapViewOptions(), name, text, {}, *given));
   else
     MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, {}, *given));
@@ -189,6 +198,8 @@ Workspace withoutText(Workspace workspace, OptionTable table, std::string_view n
 
 Workspace withoutOptions(Workspace workspace) {
   std::erase_if(workspace.frame, [](const auto& each) { return !isShared(each.first); });
+  workspace.stance.clear();
+  workspace.plays = false;
   workspace.materials.clear();
   workspace.parameters.clear();
   workspace.map_view.clear();
@@ -198,6 +209,8 @@ Workspace withoutOptions(Workspace workspace) {
 
 Workspace withModel(Workspace workspace, std::string name) {
   workspace.model = std::move(name);
+  workspace.stance.clear();
+  workspace.plays = false;
   workspace.parameters.clear();
   workspace.selected_material.reset();
   erase(workspace.materials, "variant");
@@ -208,18 +221,35 @@ Workspace withModel(Workspace workspace, std::string name) {
   return withCamera(std::move(workspace), camera);
 }
 
+namespace {
+
+std::size_t indexOfMap(const Workspace& workspace, std::size_t side) {
+  const bool is_own = isComparing(workspace) && workspace.sides[side].map;
+  return is_own ? *workspace.sides[side].map : workspace.shown_map;
+}
+
+}  // namespace
+
+Workspace withMapShown(Workspace workspace, std::size_t map) {
+  if (isComparing(workspace))
+    workspace.sides[editedSide(workspace)].map = map;
+  else
+    workspace.shown_map = map;
+  return workspace;
+}
+
 Workspace withMapStepped(Workspace workspace, int by) {
   const auto count = static_cast<std::ptrdiff_t>(workspace.maps.size());
-  const std::ptrdiff_t next = (static_cast<std::ptrdiff_t>(workspace.shown_map) + by) % count;
-  workspace.shown_map = static_cast<std::size_t>(next < 0 ? next + count : next);
-  return workspace;
+  const auto shown = static_cast<std::ptrdiff_t>(indexOfMap(workspace, editedSide(workspace)));
+  const std::ptrdiff_t next = (shown + by) % count;
+  return withMapShown(std::move(workspace), static_cast<std::size_t>(next < 0 ? next + count : next));
 }
 
 Workspace withMap(Workspace workspace, std::string name) {
   const auto found = std::find(workspace.maps.begin(), workspace.maps.end(), name);
-  workspace.shown_map = static_cast<std::size_t>(found - workspace.maps.begin());
+  const auto map = static_cast<std::size_t>(found - workspace.maps.begin());
   if (found == workspace.maps.end()) workspace.maps.push_back(std::move(name));
-  return workspace;
+  return withMapShown(std::move(workspace), map);
 }
 
 Workspace withOnlyMap(Workspace workspace, std::string name) {
@@ -230,8 +260,7 @@ Workspace withOnlyMap(Workspace workspace, std::string name) {
 }
 
 const std::string& mapOf(const Workspace& workspace, std::size_t side) {
-  const bool is_own = isComparing(workspace) && workspace.sides[side].map;
-  return workspace.maps[is_own ? *workspace.sides[side].map : workspace.shown_map];
+  return workspace.maps[indexOfMap(workspace, side)];
 }
 
 bool isTraced(const Workspace& workspace, std::size_t side) {
@@ -309,6 +338,13 @@ Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {
   FrameSettings settings;
   settings.env_rotation_deg = env_rotation_deg;
   giveAsEdited(settings, "env-rotation", workspace);
+  return workspace;
+}
+
+Workspace withMoment(Workspace workspace, std::string animation, float seconds) {
+  ModelStance stance = stanceOf(workspace.stance).value_or(ModelStance());
+  stance.animation = {std::move(animation), seconds};
+  for (const auto& option : stanceOptions()) giveAs(option, stance, ModelStance(), workspace.stance);
   return workspace;
 }
 

@@ -14,6 +14,7 @@
 #include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/model_stance.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/view/map/map_view_settings.h"
 
@@ -48,6 +49,8 @@ struct Workspace {
   std::string model = "showcase";              ///< loadModel's
   std::vector<std::string> maps = {"studio"};  ///< loadEnvironment's, to step through; at least one
   std::size_t shown_map = 0;
+  GivenTexts stance = {};                             ///< of stanceOptions(): how the model stands
+  bool plays = false;                                 ///< its animation goes on
   GivenTexts frame = {};                              ///< of frameOptions() and qualityOptions()
   GivenTexts materials = {};                          ///< of materialOptions(): of the whole model
   std::map<std::size_t, GivenTexts> parameters = {};  ///< of materialParameters(), for materials of the scene
@@ -65,6 +68,7 @@ struct Workspace {
 
 /// Which table an option is of.
 enum class OptionTable {
+  stance,     ///< stanceOptions()
   frame,      ///< frameOptions() and qualityOptions(): of the half that is edited
   material,   ///< materialOptions(): of the whole model
   parameter,  ///< materialParameters(): of the material that is selected
@@ -76,6 +80,7 @@ enum class OptionTable {
 /// errors   usage: a text that the option refuses, or an option that there is not
 Result<FrameSettings> frameOf(const GivenTexts& given);  ///< but for the quality
 Result<Quality> qualityOf(const GivenTexts& given);
+Result<ModelStance> stanceOf(const GivenTexts& given);
 Result<MaterialChanges> materialsOf(const GivenTexts& given);
 /// Sets parameters of a material.
 ///
@@ -131,16 +136,23 @@ Workspace withoutText(Workspace workspace, OptionTable table, std::string_view n
 /// Leaves all options to their defaults, in both halves and of all materials; only the camera stays.
 Workspace withoutOptions(Workspace workspace);
 
-/// Shows another model: what was said of single materials of the one before, and where its camera stood, is forgotten.
+/// Shows another model: how the one before stood, what was said of its single materials, and where its camera stood, is
+/// forgotten.
 Workspace withModel(Workspace workspace, std::string name);
+
+/// Shows a moment of an animation of the model.
+Workspace withMoment(Workspace workspace, std::string animation, float seconds);
 
 /// The showcase as `render` shows it if no environment is asked for (setShowcase): what was given stays.
 Workspace withShowcase(Workspace workspace);
 
-/// Shows the next panorama, or with −1 the one before; after the last comes the first.
+/// Shows one of its panoramas: in a comparison in the half that is edited.
+Workspace withMapShown(Workspace workspace, std::size_t map);
+
+/// Shows the next panorama likewise, or with −1 the one before; after the last comes the first.
 Workspace withMapStepped(Workspace workspace, int by);
 
-/// Adds a panorama behind the others, or finds it there, and shows it.
+/// Adds a panorama behind the others, or finds it there, and shows it likewise.
 Workspace withMap(Workspace workspace, std::string name);
 
 /// Has that panorama alone.

@@ -82,6 +82,8 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
     if (workspace.maps.empty() || workspace.maps.size() > kMostTexts) json["maps"].refuse("has none, or too many");
   }
   workspace.shown_map = json["shown_map"].size(0);
+  workspace.stance = textsOf(json["stance"]);
+  workspace.plays = json["plays"].flag(false);
   workspace.frame = textsOf(json["frame"]);
   workspace.materials = textsOf(json["materials"]);
   for (const auto& [index, parameters] : json["parameters"].members()) {
@@ -128,6 +130,7 @@ Result<void> checkWorkspace(const Workspace& workspace) {
   }
   MIRRORBALL_TRY_VOID(frameOf(workspace.frame));
   MIRRORBALL_TRY_VOID(qualityOf(workspace.frame));
+  MIRRORBALL_TRY_VOID(stanceOf(workspace.stance));
   MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
   MIRRORBALL_TRY_VOID(mapViewOf(workspace));
   Material tried;
@@ -142,6 +145,8 @@ std::string writtenWorkspace(const Workspace& workspace) {
             {"model", workspace.model},
             {"maps", workspace.maps},
             {"shown_map", workspace.shown_map}};
+  if (!workspace.stance.empty()) json["stance"] = jsonOf(workspace.stance);
+  if (workspace.plays) json["plays"] = true;
   if (!workspace.frame.empty()) json["frame"] = jsonOf(workspace.frame);
   if (!workspace.materials.empty()) json["materials"] = jsonOf(workspace.materials);
   for (const auto& [material, given] : workspace.parameters)

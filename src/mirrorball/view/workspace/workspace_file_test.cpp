@@ -16,6 +16,8 @@ Workspace something() {
   workspace.sides[1] = {.frame = {{"blur", {"mip"}}}, .map = 0, .is_traced = true};
   workspace.compare_by = CompareBy::flip_error;
   workspace.divider = 0.1f;
+  workspace.stance = {{"animation", {"Walk@0.5"}}, {"up", {"z"}}};
+  workspace.plays = true;
   workspace.selected_material = 3;
   return workspace;
 }
@@ -48,6 +50,8 @@ TEST(WorkspaceFile, RefusesOthersInOneLine) {
            R"({"mirrorball_workspace": 1, "frame": {"samples": "many"}})",
            R"({"mirrorball_workspace": 1, "frame": {"samples": 4}})",
            R"({"mirrorball_workspace": 1, "frame": 4})",
+           R"({"mirrorball_workspace": 1, "stance": {"up": "x"}})",
+           R"({"mirrorball_workspace": 1, "plays": "yes"})",
            R"({"mirrorball_workspace": 1, "parameters": {"x": {}}})",
            R"({"mirrorball_workspace": 1, "parameters": {"0": {"metallic": "9"}}})",
            R"({"mirrorball_workspace": 1, "sides": [{"map": 4}]})",

@@ -67,6 +67,18 @@ TEST(Workspace, StepsThroughItsMapsRoundAndRound) {
   EXPECT_EQ(withMap(workspace, "a.hdr").maps, workspace.maps);
 }
 
+TEST(Workspace, AHalfHasAPanoramaOfItsOwn) {
+  Workspace workspace = withMap({}, "a.hdr");
+  workspace.compare_by = CompareBy::slider;
+  workspace.edited_side = 1;
+  workspace = withMapStepped(std::move(workspace), 1);
+  EXPECT_EQ(mapOf(workspace, 0), "a.hdr");
+  EXPECT_EQ(mapOf(workspace, 1), "studio");
+  workspace = withMap(std::move(workspace), "b.hdr");
+  EXPECT_EQ(mapOf(workspace, 1), "b.hdr");
+  EXPECT_EQ(workspace.shown_map, 1u);
+}
+
 TEST(Workspace, ACameraIsToldByItsOptions) {
   FrameSettings wanted;
   wanted.camera = {.azimuth_deg = -33.25f, .elevation_deg = 61.5f, .distance = 2.75f, .target = glm::vec3(0.1f, 2, -3)};

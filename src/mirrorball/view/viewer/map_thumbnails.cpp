@@ -1,0 +1,91 @@
+#include "mirrorball/view/viewer/map_thumbnails.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formula/color.h"
+#include "mirrorball/base/range.h"
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kHeight_px = 48;
+
+/// The exposure at which the geometric mean of all light is a middle grey: a room and a meadow are as easy to see.
+Display displayFor(const Image& light) {
+  constexpr double kMiddleGrey = 0.18, kLeast = 1e-6;
+  double logarithms = 0.0;
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      const float* const texel = light.texel(x, y);
+      const double grey = double(formula::luminance(glm::vec3(texel[0], texel[1], texel[2])));
+      logarithms += std::log2(grey > kLeast ? grey : kLeast);
+    }
+  const double mean = logarithms / (double(light.width()) * light.height());
+  return {.exposure_ev = static_cast<float>(std::log2(kMiddleGrey) - mean), .tone_map = ToneMap::agx};
+}
+
+Result<Image8> thumbnailOf(const std::string& name, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(loaded, loadEnvironment(name, {.repair = true}, progress));
+  MIRRORBALL_TRY(map, convert(loaded.environment, Projection::equirect, kHeight_px, {}, progress));
+  Image light = pictureOf(std::move(map), {.projection = Projection::equirect});
+  const Display display = displayFor(light);
+  Image opaque(light.width(), light.height(), 4, 1.0f);
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) std::copy_n(light.texel(x, y), 3, opaque.texel(x, y));
+  return displayedPicture(display, std::move(opaque));
+}
+
+}  // namespace
+
+MapThumbnails::MapThumbnails(const Device& device) : on_(new OnDevice{device}) {}
+
+Result<bool> MapThumbnails::follow(const Workspace& workspace) {
+  const std::vector<std::string>& maps = workspace.maps;
+  if (auto ready = making_.take()) {
+    MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
+    std::optional<gl::Framebuffer>& picture = on_->pictures[made_];
+    if (*ready) {
+      MIRRORBALL_TRY_VOID(gl::resize(picture, gl::Format::rgba8, {(*ready)->width(), (*ready)->height()}));
+      picture->upload(std::move(**ready));
+    }
+    return true;
+  }
+  if (making_.isRunning() || isDone(workspace)) return false;
+  MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
+  if (std::erase_if(on_->pictures, [&](const auto& each) { return !contains(maps, each.first); }) > 0) return true;
+  for (const std::string& map : maps) {
+    if (on_->pictures.contains(map)) continue;
+    made_ = map;
+    making_.begin([map](const ProgressFunction& progress) { return thumbnailOf(map, progress); });
+    break;
+  }
+  return false;
+}
+
+bool MapThumbnails::isDone(const Workspace& workspace) const {
+  if (workspace.maps.size() < 2) return true;
+  for (const std::string& map : workspace.maps)
+    if (!on_->pictures.contains(map)) return false;
+  return !making_.isRunning();
+}
+
+std::vector<MapThumbnail> MapThumbnails::of(const Workspace& workspace) const {
+  std::vector<MapThumbnail> thumbnails;
+  if (workspace.maps.size() < 2) return thumbnails;
+  const std::string& shown = mapOf(workspace, editedSide(workspace));
+  for (const std::string& map : workspace.maps) {
+    MapThumbnail& thumbnail = thumbnails.emplace_back(MapThumbnail{.name = map, .is_shown = map == shown});
+    const auto found = on_->pictures.find(map);
+    if (found == on_->pictures.end() || !found->second) continue;
+    thumbnail.texture = found->second->color().name();
+    thumbnail.size_px = {found->second->width(), found->second->height()};
+  }
+  return thumbnails;
+}
+
+}  // namespace mirrorball

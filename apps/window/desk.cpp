@@ -248,6 +248,7 @@ void drawSide(const SideStatus& side) {
   else
     ImGui::Text("%d x %d, %d of %d samples, %.0f ms", size.x, size.y, side.samples, side.wanted_samples,
                 1e3 * side.sample_s);
+  if (side.gpu_s && !side.is_traced) ImGui::Text("GPU %.1f ms a sample", 1e3 * *side.gpu_s);
   if (side.light.reads > 0 && !side.is_traced)
     ImGui::Text("light: %d look-ups, %.1f MiB", side.light.reads,
                 static_cast<double>(side.light.texture_bytes) / 1048576.0);

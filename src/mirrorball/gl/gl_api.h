@@ -9,6 +9,7 @@
 // Of OpenGL alone: code names them, and never comes there.
 #define GL_TEXTURE_CUBE_MAP_SEAMLESS 0x884F
 #define GL_FRAMEBUFFER_SRGB 0x8DB9
+#define GL_TIME_ELAPSED 0x88BF
 #else
 #include <epoxy/gl.h>
 #endif

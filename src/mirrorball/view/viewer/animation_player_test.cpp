@@ -28,7 +28,8 @@ class AnimationPlayerTest : public testing::ViewerTest {
     Workspace workspace;
     workspace.model = ::testing::TempDir() + "walk.gltf";
     std::ofstream(workspace.model) << file.json(
-        R"("nodes":[{"mesh":0},{"mesh":0,"translation":[2,0,0]}],"materials":[{"emissiveFactor":[1,1,1]}],"animations":[)" +
+        R"("nodes":[{"mesh":0},{"mesh":0,"translation":[2,0,0]}],"materials":[{"emissiveFactor":[1,1,1]}],)"
+        R"("animations":[)" +
             walk.json("Walk") + "]",
         "", ",\"material\":0");
     workspace.frame = {{"quality", {"draft"}}, {"background", {"#000000"}}, {"camera", {"0,0"}}, {"samples", {"1"}}};

@@ -98,9 +98,13 @@ Result<bool> DrawnSide::drawPiece(const LitStage& stage, const FrameSettings& fr
   }
   if (view_->isDone()) return false;
   const auto start = std::chrono::steady_clock::now();
-  MIRRORBALL_TRY(drawn, view_->drawSample());
+  on_->timer.begin(on_->device.state().context);
+  auto sample = view_->drawSample();
+  on_->timer.end();
+  MIRRORBALL_TRY(drawn, std::move(sample));
   glFinish();
   sample_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  gpu_s_ = on_->timer.seconds();
   if (drawn == 1) budget_.drew(frame.size, sample_s_);  // later ones may be of a few pixels
   samples_ = drawn;
   // Kept, since another frame takes what the view has drawn.

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/timer.h"
 #include "mirrorball/render/frame/view.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/device_state.h"
@@ -63,6 +64,8 @@ class DrawnSide {
   int samples() const { return samples_; }
   int wantedSamples() const { return begun_ ? begun_->samples : 0; }
   double sampleSeconds() const { return sample_s_; }
+  /// Of it, by the GPU's clock; nothing: that is not known.
+  std::optional<double> gpuSeconds() const { return gpu_s_; }
   LightCost lightCost() const { return view_ ? view_->lightCost() : LightCost(); }
   /// That has drawn the last picture; null: none has.
   View* view() { return view_ ? &*view_ : nullptr; }
@@ -77,6 +80,7 @@ class DrawnSide {
   struct OnDevice {
     Device device;  // outlives all else
     std::optional<gl::Framebuffer> picture = {};
+    gl::Timer timer = {};
   };
   std::unique_ptr<OnDevice, EndOnDevice> on_;
   TimeBudget budget_;
@@ -92,6 +96,7 @@ class DrawnSide {
   int failed_version_ = 0;               // of its stage
   int programs_left_ = 0;
   double sample_s_ = 0.0;
+  std::optional<double> gpu_s_;
   int samples_ = 0;
   int picture_version_ = 0;
   std::string problem_;

@@ -11,8 +11,8 @@
 
 namespace mirrorball {
 
-/// The model of a workspace, which stands as that says and has the materials that it asks for. Loaded beside its owner; until another is there, the
-/// one before is shown.
+/// The model of a workspace, which stands as that says and has the materials that it asks for. Loaded beside its owner;
+/// until another is there, the one before is shown.
 class ShownModel {
  public:
   /// Begins to load what the workspace asks for, takes what was loaded, and changes it.

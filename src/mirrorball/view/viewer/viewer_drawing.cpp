@@ -172,6 +172,7 @@ SideStatus Viewer::State::statusOf(std::size_t side) const {
   status.wanted_samples = drawn[side].wantedSamples();
   status.programs_left = drawn[side].programsLeft();
   status.sample_s = drawn[side].sampleSeconds();
+  status.gpu_s = drawn[side].gpuSeconds();
   return status;
 }
 

@@ -16,12 +16,13 @@ struct SideStatus {
   bool is_traced = false;  ///< what is shown of it: by paths, not by the renderer
   int samples = 0;         ///< of each pixel of its picture, or paths in the mean
   int wanted_samples = 0;
-  int programs_left = 0;    ///< that are still to be made before its next picture
-  glm::ivec2 size_px{0};    ///< of its picture: smaller than the window's while something moves
-  double sample_s = 0.0;    ///< that its last sample took [s]; 0 of a traced one
-  LightCost light = {};     ///< of the renderer's technique
-  float noise = 0.0f;       ///< of a traced one: TracedPicture's
-  std::string chosen = {};  ///< what its quality filled in: "{option:occlusion} vertex"
+  int programs_left = 0;             ///< that are still to be made before its next picture
+  glm::ivec2 size_px{0};             ///< of its picture: smaller than the window's while something moves
+  double sample_s = 0.0;             ///< that its last sample took [s]; 0 of a traced one
+  std::optional<double> gpu_s = {};  ///< of it, by the GPU's clock; nothing: that is not known
+  LightCost light = {};              ///< of the renderer's technique
+  float noise = 0.0f;                ///< of a traced one: TracedPicture's
+  std::string chosen = {};           ///< what its quality filled in: "{option:occlusion} vertex"
 };
 
 /// One number that says how far two pictures are apart.

@@ -6,25 +6,32 @@ namespace mirrorball::gl {
 
 void deleteQuery(unsigned name) { glDeleteQueries(1, &name); }
 
-void Timer::begin(const Context& context) {
-  if (context.api() != Api::desktop43) return;
-  if (query_.name() == 0) {
+void Timer::Reading::take() {
+  if (query.name() == 0) {
     unsigned name = 0;
     glGenQueries(1, &name);
-    query_ = Handle<deleteQuery>(name);
+    query = Handle<deleteQuery>(name);
   }
-  glBeginQuery(GL_TIME_ELAPSED, query_.name());
+  glQueryCounter(query.name(), GL_TIMESTAMP);
+}
+
+double Timer::Reading::seconds() const {
+  GLuint64 nanoseconds = 0;
+  glGetQueryObjectui64v(query.name(), GL_QUERY_RESULT, &nanoseconds);
+  return 1e-9 * double(nanoseconds);
+}
+
+void Timer::begin(const Context& context) {
+  measures_ = context.api() == Api::desktop43;
+  if (measures_) begin_.take();
 }
 
 void Timer::end() {
-  if (query_.name() != 0) glEndQuery(GL_TIME_ELAPSED);
+  if (measures_) end_.take();
 }
 
 std::optional<double> Timer::seconds() const {
-  if (query_.name() == 0) return std::nullopt;
-  unsigned nanoseconds = 0;
-  glGetQueryObjectuiv(query_.name(), GL_QUERY_RESULT, &nanoseconds);
-  return 1e-9 * double(nanoseconds);
+  return measures_ ? std::optional(end_.seconds() - begin_.seconds()) : std::nullopt;
 }
 
 }  // namespace mirrorball::gl

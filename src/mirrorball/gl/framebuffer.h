@@ -35,6 +35,8 @@ class Framebuffer {
   /// The colour texture, filtered linearly, and between its levels if it has more than one; row 0 is the picture's
   /// bottom, as OpenGL draws.
   const Texture& color() const { return color_; }
+  /// Filters the colour linearly even where it has single floats, which OpenGL ES cannot.
+  void filterSingleFloats() { color_.setSampling({.filter = Sampling::Filter::linear}); }
   /// Makes its further levels of the first, each texel the mean of four.
   void makeLevels() { color_.makeLevels(); }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
@@ -220,6 +221,39 @@ TEST_F(ProxyTest, ASheetThrowsAShadowWhereTheGroundSeesItsFront) {
   EXPECT_LT(below_front, 0.6f);
   EXPECT_NEAR(brightnessBelow(true, true), below_front, 0.01f);
   EXPECT_NEAR(brightnessBelow(false, true), below_front, 0.01f);
+}
+
+// Texels of the shadow are no stairs, though most lights of a sun come from one direction.
+TEST_F(ProxyTest, TheShadowOfAStraightEdgeIsStraight) {
+  Scene scene;
+  scene.materials.emplace_back().double_sided = true;
+  scene.meshes.push_back(planeMesh());
+  const glm::mat4 above = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 1.0f, 0.0f));
+  scene.instances.push_back({0, glm::rotate(above, glm::radians(20.0f), glm::vec3(0.0f, 1.0f, 0.0f))});
+  scene.meshes.push_back(planeMesh());  // foot of the scene, far away
+  scene.instances.push_back(
+      {1, glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(9.0f, 0.0f, 0.0f)), glm::vec3(0.01f))});
+  const glm::vec3 sun = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
+  Environment sunny([=](glm::vec3 d) { return glm::vec3(glm::dot(d, sun) > std::cos(0.01f) ? 1e5f : 0.01f); }, 512);
+  FrameSettings settings;
+  settings.size = {64, 64};
+  settings.samples = 1;
+  settings.resolve = Resolve::radiance;
+  // 13 texels of the shadow, each of 5 pixels, around a place of its edge.
+  const float radius = boundingSphere(scene).radius;
+  const float texel = 2.0f * GroundShadow::kModelRadii * radius / GroundShadow::kSize;
+  settings.camera = {.azimuth_deg = 0.0f,
+                     .elevation_deg = 90.0f,
+                     .target = glm::vec3(-1.316f, 0.0f, 1.179f),
+                     .orthographic_height = 12.8f * texel / radius};
+  testing::set(settings, "proxy", "ground:2");
+  const Image image = drawn(std::move(scene), std::move(sunny), settings);
+  // What is lit of each column.
+  std::vector<double> lit(64, 0.0);
+  for (int x = 0; x < 64; ++x)
+    for (int y = 0; y < 64; ++y) lit[std::size_t(x)] += double(image.texel(x, y)[1]) / 0.01;
+  EXPECT_GT(lit[63] - lit[31], 8.0) << "the edge is there";
+  for (std::size_t x = 32; x < 64; ++x) EXPECT_LT(std::abs(lit[x] - lit[x - 1]), 0.8) << x << ": a stair";
 }
 
 // Bad input is one line.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "formula/bsdf.h"
+#include "formula/grid_random.h"
 #include "formula/prefilter.h"
 #include "mirrorball/gl/gl_api.h"
 
@@ -63,6 +64,7 @@ Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMes
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, gl::Depths::alone));
+  if (format == gl::Format::rgba32f) framebuffer.filterSingleFloats();
   GroundShadow shadow(std::move(program), std::move(framebuffer));
   for (const CoarseMesh& coarse : casters) {
     constexpr gl::Attribute kPosition{0, 3, 0};
@@ -87,11 +89,13 @@ void GroundShadow::draw(const Scene& scene, const BoundingSphere& bounds, const 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   program_.set("ground", ground.ground);
-  program_.set("area", area_);
   const std::vector<std::size_t> order = solidFirst(scene);
   const auto count = static_cast<float>(lights.lights.size());
   float drawn = 0.0f;
   for (const GroundLight& light : lights.lights) {
+    // The texels of each light lie elsewhere, by less than one: so the lights of a sun smooth the edge of its shadow.
+    const glm::vec2 offset = glm::vec2(formula::gridRandom({int(drawn), 0, 0})) - 0.5f;
+    program_.set("area", area_ + glm::vec3(offset * (2.0f * area_.z / float(kSize)), 0.0f));
     program_.set("towards_light", light.direction);
     program_.set("depth", 1.0f - 2.0f * ++drawn / (count + 1.0f));
     for (const std::size_t i : order) {

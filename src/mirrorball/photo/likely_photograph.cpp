@@ -16,12 +16,6 @@
 namespace mirrorball {
 namespace {
 
-/// What is known of a picture beside its pixels.
-struct PictureHead {
-  glm::ivec2 size{0};
-  Metadata metadata = {};
-};
-
 int bigEndian16(std::span<const std::uint8_t> bytes, std::size_t at) { return bytes[at] << 8 | bytes[at + 1]; }
 
 /// By the first segment that begins a frame; the segments before it are skipped by their lengths.
@@ -35,17 +29,23 @@ std::optional<glm::ivec2> sizeOfJpeg(std::span<const std::uint8_t> jpeg) {
   return std::nullopt;
 }
 
-Result<PictureHead> headOf(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(rows, openRows(path));
-  if (rows) return PictureHead{{rows->description().width, rows->description().height}, rows->description().metadata};
-  MIRRORBALL_TRY(decoded, withName(path.string(), decodeImage(bytes)));
-  return PictureHead{{decoded.image.width(), decoded.image.height()}, std::move(decoded.metadata)};
+/// By the header, which is a PNG's first part.
+std::optional<glm::ivec2> sizeOfPng(std::span<const std::uint8_t> png) {
+  constexpr std::size_t kEnd = 24, kLow = 18;  // what is above 65535 is no picture that can be read
+  if (png.size() < kEnd) return std::nullopt;
+  return glm::ivec2(bigEndian16(png, kLow), bigEndian16(png, kLow + 4));
 }
 
-bool saysWhatItIs(const Metadata& metadata) {
+std::optional<glm::ivec2> sizeByHeader(std::span<const std::uint8_t> bytes) {
+  if (isJpeg(bytes)) return sizeOfJpeg(bytes);
+  return isPng(bytes) ? sizeOfPng(bytes) : std::nullopt;
+}
+
+/// Whether a picture of that size is no map by its shape, nor by what its file says.
+bool hasNoMap(glm::ivec2 size, const Metadata& metadata) {
   for (const auto& [key, text] : metadata)
-    if (key == "envmap" || key.starts_with("mirrorball:")) return true;
-  return false;
+    if (key == "envmap" || key.starts_with("mirrorball:")) return false;
+  return !recognize(size.x, size.y, {});
 }
 
 bool namesCamera(const Exif& exif) {
@@ -55,15 +55,17 @@ bool namesCamera(const Exif& exif) {
 }  // namespace
 
 Result<bool> isLikelyPhotograph(const std::filesystem::path& path) {
+  MIRRORBALL_TRY(rows, openRows(path));
+  if (rows) return hasNoMap({rows->description().width, rows->description().height}, rows->description().metadata);
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  if (const auto size = isJpeg(bytes) ? sizeOfJpeg(bytes) : std::nullopt) {
+  if (const auto size = sizeByHeader(bytes)) {
     const auto recognition = recognize(size->x, size->y, {});
     if (recognition && recognition->form.projection == Projection::equirect) return false;
-    if (namesCamera(readExif(bytes))) return true;
+    if (isJpeg(bytes) && namesCamera(readExif(bytes))) return true;
     if (recognition) return false;
   }
-  MIRRORBALL_TRY(head, headOf(path, bytes));
-  return !saysWhatItIs(head.metadata) && !recognize(head.size.x, head.size.y, {});
+  MIRRORBALL_TRY(decoded, withName(path.string(), decodeImage(bytes)));
+  return hasNoMap({decoded.image.width(), decoded.image.height()}, decoded.metadata);
 }
 
 }  // namespace mirrorball

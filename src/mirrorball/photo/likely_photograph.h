@@ -11,7 +11,7 @@ namespace mirrorball {
 /// which map it is, is none.
 ///
 /// errors   as readImageFile's and decodeImage's
-/// cost     that of reading the file; of .exr, .hdr and most .jpg no pixel is decoded
+/// cost     that of reading the file, or of its header (.exr, .hdr); pixels are decoded only of a shape that is no map's
 Result<bool> isLikelyPhotograph(const std::filesystem::path& path);
 
 }  // namespace mirrorball

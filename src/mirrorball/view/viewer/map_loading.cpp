@@ -27,9 +27,13 @@ Circle suggestedCircle(glm::ivec2 size) {
 Result<TakenBall> takenBall(const BallLight& photographed, const BallPhotoSettings& settings, bool suggests_circle) {
   auto ball = ballIn(photographed, settings);
   if (ball) {
-    std::string doubt = doubtAbout(*ball, photographed.name);
-    if (!doubt.empty()) doubt += "; if it is wrong, drag it beside the map (M)";
-    return TakenBall{std::move(*ball), std::move(doubt)};
+    std::string remark = doubtAbout(*ball, photographed.name);
+    if (!remark.empty())
+      remark += "; if it is wrong, drag it beside the map (M)";
+    else if (ball->view.pinhole().isOrthographic())
+      remark =
+          photographed.name + ": the camera is taken as infinitely far away; distance or fov would say how far it is";
+    return TakenBall{std::move(*ball), std::move(remark)};
   }
   Error error = std::move(ball).error();
   if (!settings.circle.empty()) error = withName(photographed.name + ": circle", std::move(error));

@@ -198,6 +198,7 @@ const std::string& Viewer::State::remark() const {
 
 const std::string& Viewer::State::problem() const {
   if (needsMap() && !map.problem().empty()) return map.problem();
+  if (now().shows_map) return problem_of_picking;
   if (now().inspects && !inspector.problem().empty()) return inspector.problem();
   if (!model.problem().empty()) return model.problem();
   for (const std::size_t side : wantedSides())

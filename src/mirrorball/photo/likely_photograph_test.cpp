@@ -6,6 +6,7 @@
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/photo/exif_testing.h"
 
 namespace mirrorball {
@@ -53,6 +54,15 @@ TEST(LikelyPhotograph, IsNothingThatSaysWhichMapItIs) {
   ASSERT_TRUE(writeImage(path, Image(90, 70, 3)));
   EXPECT_TRUE(*isLikelyPhotograph(path));
   EXPECT_FALSE(isLikelyPhotograph("nowhere.jpg"));
+}
+
+TEST(LikelyPhotograph, ReadsTheShapeOfOtherFormatsToo) {
+  const std::string path = ::testing::TempDir() + "likely_photograph.png";
+  MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::png));
+  ASSERT_TRUE(savePicture(path, Image8(90, 70, 3)));
+  EXPECT_TRUE(*isLikelyPhotograph(path));
+  ASSERT_TRUE(savePicture(path, Image8(64, 48, 3)));
+  EXPECT_FALSE(*isLikelyPhotograph(path));
 }
 
 // A header may say anything.

@@ -66,11 +66,12 @@ struct Page {
   glm::vec2 placeOf(glm::dvec2 photograph_px) const {
     return glm::vec2(place.corner) + scale * glm::vec2(photograph_px);
   }
-  /// The circle around lines over the picture.
+  /// The circle around lines over the photograph.
   Circle circleOf(const std::vector<DrawnLine>& lines) const {
     glm::vec2 low(1e9f), high(-1e9f);
     for (const DrawnLine& line : lines)
       for (const glm::vec2 each : line.places) {
+        if (!place.holds(each)) continue;
         low = glm::min(low, each);
         high = glm::max(high, each);
       }
@@ -127,6 +128,27 @@ TEST_F(PhotographTest, ShowsTheBallThatItFindsBesideTheMap) {
   const glm::ivec2 corner = page.place.corner;
   EXPECT_GT(int(picture.texel(corner.x + 2, corner.y + 2)[0]), 100);
   EXPECT_LT(int(picture.texel(corner.x + 2, corner.y - 2)[0]), 50);
+}
+
+TEST_F(PhotographTest, ThePointerOverTheBallIsFollowedIntoTheMap) {
+  const BallScene scene = ballBeforeWall();
+  Workspace workspace = mirrorInPhotograph(photographOf(scene, "pointed_ball.hdr"));
+  workspace.shows_map = true;
+  workspace.map_view = {{"picture", {"equirect"}}};
+  Viewer viewer(device(), workspace, kPageSize);
+  finish(viewer);
+  const std::size_t outline = viewer.underPointer().lines.size();
+  // The middle of a ball reflects its camera, which is in the middle of the panorama.
+  const Page page(scene);
+  viewer.handle(PointerMoved{page.placeOf(glm::dvec2(scene.size) / 2.0)});
+  const UnderPointer under = viewer.underPointer();
+  ASSERT_EQ(under.lines.size(), outline + 2) << "a cross";
+  const glm::vec2 middle = 0.5f * (under.lines[0].places[0] + under.lines[0].places[1]);
+  const auto camera = pixelsOf(*mapViewOf(workspace), mapCanvas(kPageSize, scene.size), {0, 0, 1});
+  EXPECT_LT(glm::distance(middle, camera[0]), 3.0f);
+  EXPECT_THAT(under.rows, ::testing::Contains(::testing::Field(&InspectionRow::name, "direction")));
+  viewer.handle(PointerMoved{glm::vec2(page.place.corner) + 2.0f});
+  EXPECT_EQ(viewer.underPointer().lines.size(), outline) << "the wall";
 }
 
 TEST_F(PhotographTest, AHandMovesTheCircleInOneStep) {

@@ -19,10 +19,11 @@ MapCanvas movingCanvas(const MapViewSettings& settings, const MapCanvas& canvas)
           .photograph_px = canvas.photograph_px};
 }
 
+constexpr glm::vec3 kBallColor(1.0f, 0.55f, 0.1f);
+
 /// The parts of a ball's outline that lie in its photograph.
 std::vector<DrawnLine> drawnOutline(const ShownBall& ball) {
   constexpr int kPlaces = 180;
-  constexpr glm::vec3 kColor(1.0f, 0.55f, 0.1f);
   std::vector<DrawnLine> lines;
   bool was_inside = false;
   std::vector<glm::dvec2> outline = ball.view.outline(kPlaces);
@@ -30,10 +31,20 @@ std::vector<DrawnLine> drawnOutline(const ShownBall& ball) {
   for (const glm::dvec2 place_px : outline) {
     const glm::vec2 place = ball.placeOf(place_px);
     const bool is_inside = ball.place.holds(place);
-    if (is_inside && !was_inside) lines.push_back({{}, kColor});
+    if (is_inside && !was_inside) lines.push_back({{}, kBallColor});
     if (is_inside) lines.back().places.push_back(place);
     was_inside = is_inside;
   }
+  return lines;
+}
+
+/// A small cross at each place.
+std::vector<DrawnLine> crosses(const std::vector<glm::vec2>& places) {
+  constexpr float kReach_px = 5.0f;
+  std::vector<DrawnLine> lines;
+  for (const glm::vec2 place : places)
+    for (const glm::vec2 arm : {glm::vec2(kReach_px, 0.0f), glm::vec2(0.0f, kReach_px)})
+      lines.push_back({{place - arm, place + arm}, kBallColor});
   return lines;
 }
 
@@ -54,6 +65,14 @@ std::optional<ShownBall> Viewer::State::shownBall() const {
                                         perspectiveOf(*settings, ball->exif, ball->size_px)))
       shown.view = given->view;
   return shown;
+}
+
+std::vector<glm::vec2> Viewer::State::seenInMap() const {
+  const auto ball = shownBall();
+  if (!ball || !pointer_px || !ball->place.holds(*pointer_px)) return {};
+  // Of the circle that the map was unwrapped from.
+  const auto direction = map.ball()->view.directionAt(ball->photographPixel(*pointer_px));
+  return direction ? pixelsOf(map_settings, canvas(), glm::vec3(*direction)) : std::vector<glm::vec2>();
 }
 
 Result<bool> Viewer::State::advanceMap() {
@@ -116,10 +135,14 @@ Result<void> Viewer::State::advanceInspection() {
 
 UnderPointer Viewer::State::underPointer() const {
   if (!now().shows_map) return inspected;
-  UnderPointer under{.rows = map.factsAt(map_settings, canvas(), pointer_px)};
+  const std::vector<glm::vec2> reflected = seenInMap();
+  UnderPointer under{
+      .rows = map.factsAt(map_settings, canvas(), reflected.empty() ? pointer_px : std::optional(reflected.front())),
+      .lines = crosses(reflected)};
   for (const MapLabel& label : mapLayout(map_settings, canvas()).labels)
     under.texts.push_back({label.text, glm::vec2(label.corner)});
-  if (const auto ball = shownBall()) under.lines = drawnOutline(*ball);
+  if (const auto ball = shownBall())
+    for (DrawnLine& line : drawnOutline(*ball)) under.lines.push_back(std::move(line));
   return under;
 }
 

@@ -53,6 +53,8 @@ struct Viewer::State {
   MapCanvas canvas() const;
   /// The ball in the photograph beside the map, as the workspace has it; nothing: none is shown.
   std::optional<ShownBall> shownBall() const;
+  /// Where the map shows what the ball reflects under the pointer.
+  std::vector<glm::vec2> seenInMap() const;
   Result<bool> advanceMap();
   Result<void> advanceInspection();
   bool isMapDone() const;

@@ -19,7 +19,8 @@ const auto kBallPhotoOptions = std::to_array<Option<BallPhotoSettings>>({
       .max_count = 3,
       .help = "the ball's centre (from the upright photograph's top left corner) and radius; without it, the ball is "
               "searched for",
-      .group = "Ball and camera"},
+      .group = "Ball and camera",
+      .step = 0.5},
      &BallPhotoSettings::circle},
     {{.name = "distance",
       .value = "D",

@@ -11,7 +11,8 @@ namespace mirrorball {
 /// which map it is, is none.
 ///
 /// errors   as readImageFile's and decodeImage's
-/// cost     that of reading the file, or of its header (.exr, .hdr); pixels are decoded only of a shape that is no map's
+/// cost     that of reading the file, or its header alone (.exr, .hdr); pixels are decoded where the file is none of
+///          these, .jpg or .png, or has the shape of no map
 Result<bool> isLikelyPhotograph(const std::filesystem::path& path);
 
 }  // namespace mirrorball

@@ -55,8 +55,8 @@ struct MapLayout {
 };
 
 /// Lays a picture out. A cube is a horizontal cross, a paraboloid map its front with its back on the right; on the
-/// sheet of all projections, rows are as high as the picture lets them. A photograph takes half of the picture. What has
-/// no room is left out.
+/// sheet of all projections, rows are as high as the picture lets them. A photograph takes half of the picture. What
+/// has no room is left out.
 ///
 /// cost     microseconds
 MapLayout mapLayout(const MapViewSettings& settings, const MapCanvas& canvas);

@@ -21,7 +21,7 @@ Result<Workspace> workspaceOf(std::span<const std::string> arguments);
 /// errors   unsupported: single materials were changed, which no option says
 Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side);
 
-/// The same as a line for a shell, from `mirrorball render` on; before it `mirrorball photo`, if the map is a photograph.
+/// The same as a line for a shell, from `mirrorball render` on; if the map is a photograph, from `mirrorball photo` on.
 ///
 /// errors   as renderArguments'
 Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t side);

@@ -11,10 +11,9 @@
 namespace mirrorball {
 
 AskedMap askedMap(const Workspace& workspace, std::size_t side) {
-  AskedMap source{mapOf(workspace, side)};
-  if (const auto found = workspace.photos.find(source.name); found != workspace.photos.end())
-    source.photo = found->second;
-  return source;
+  AskedMap map{mapOf(workspace, side)};
+  if (const auto found = workspace.photos.find(map.name); found != workspace.photos.end()) map.photo = found->second;
+  return map;
 }
 
 Result<BallPhotoSettings> ballPhotoOf(const GivenTexts& given) {

@@ -155,6 +155,7 @@ std::optional<Change> Gesture::handleMap(const Event& event, const Workspace& no
                   true};
   }
   if (const auto* scrolled = std::get_if<Scrolled>(&event)) {
+    if (shown.ball && shown.ball->place.holds(scrolled->place_px)) return std::nullopt;
     const float factor = std::pow(kNearerForNotch, scrolled->notches);
     return Change{"Zoom in the map", withMapView(now, zoomed(*settings, canvas, factor, scrolled->place_px)), true};
   }

@@ -139,6 +139,9 @@ TEST(Gesture, ABallBesideItsMapIsMovedAndResized) {
   EXPECT_EQ(circleAfter({15, 25}, {60, 60}), "") << "beside the ball";
   EXPECT_EQ(circleAfter({110, 100}, {120, 90}, PointerButton::right), "");
   EXPECT_EQ(circleAfter({300, 100}, {320, 100}), "another change") << "in the map one looks around";
+  Gesture gesture;
+  EXPECT_TRUE(gesture.handle(Scrolled{1.0f, {300, 100}}, besideMap(), kBesideMap));
+  EXPECT_FALSE(gesture.handle(Scrolled{1.0f, {110, 100}}, besideMap(), kBesideMap)) << "a photograph stays as it is";
 }
 
 }  // namespace

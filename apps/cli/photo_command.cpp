@@ -20,24 +20,18 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert/convert.h"
-#include "mirrorball/photo/find_ball.h"
-#include "mirrorball/photo/merge.h"
+#include "mirrorball/photo/ball_photo.h"
 #include "mirrorball/photo/outline_picture.h"
 #include "mirrorball/photo/unwrap.h"
 
 namespace mirrorball::cli {
 namespace {
 
-/// What `photo` is told beside its photographs.
+/// What `photo` is told beside its photographs and what is said of the first side.
 struct PhotoOptions {
   std::string to = "equirect";
   int size = 0;
-  std::vector<float> circle;
   std::string debug;
-  float distance = 0.0f;
-  float fov_deg = 0.0f;
-  std::string exposures;
-  int response = 0;  ///< 0: recovered, or sRGB of a single photograph; then ResponseKind + 1
   std::vector<std::string> second;
   float second_rotation_deg = 90.0f;
   std::vector<float> second_circle;
@@ -50,7 +44,7 @@ const std::string kProjectionsHelp = "projection of the map: " + join(projection
 const std::string kOutlineHelp =
     "also write the photograph with the ball's rim drawn over it, as " + writtenExtensions(Holds::picture, " or ");
 
-const auto kPhotoOptions = std::to_array<Option<PhotoOptions>>({
+const auto kMapOptions = std::to_array<Option<PhotoOptions>>({
     {{.name = "to", .value = "PROJECTION", .help = kProjectionsHelp, .group = "Output", .names = projectionNames},
      &PhotoOptions::to},
     {{.name = "size",
@@ -64,43 +58,9 @@ const auto kPhotoOptions = std::to_array<Option<PhotoOptions>>({
      &PhotoOptions::size},
     {{.name = "debug", .value = "FILE", .help = kOutlineHelp, .group = "Output", .takes_path = true},
      &PhotoOptions::debug},
-    {{.name = "circle",
-      .value = "X,Y,R",
-      .unit = "pixels",
-      .min_count = 3,
-      .max_count = 3,
-      .help = "the ball's centre (from the upright photograph's top left corner) and radius; without it, the ball is "
-              "searched for",
-      .group = "Ball and camera"},
-     &PhotoOptions::circle},
-    {{.name = "distance",
-      .value = "D",
-      .unit = "ball radii",
-      .minimum = 0,
-      .maximum = 1e6,
-      .help = "distance from the camera to the ball's centre; 0: taken from --fov or EXIF, or else infinite",
-      .group = "Ball and camera"},
-     &PhotoOptions::distance},
-    {{.name = "fov",
-      .value = "DEG",
-      .unit = "degrees",
-      .minimum = 0,
-      .maximum = 170,
-      .help = "vertical field of view of the whole photograph, from which the distance follows; 0: unknown",
-      .group = "Ball and camera"},
-     &PhotoOptions::fov_deg},
-    {{.name = "exposures",
-      .value = "T,T,…",
-      .unit = "seconds",
-      .help =
-          "exposure times of a series, in the order of its photographs, as in 1/60,1/15,1/4; without it, those in EXIF",
-      .group = "Light"},
-     &PhotoOptions::exposures},
-    {{.name = "response",
-      .choices = "auto|srgb|gamma|linear",
-      .help = "the camera's response curve; auto recovers it from a series, and assumes sRGB for a single photograph",
-      .group = "Light"},
-     choiceField<&PhotoOptions::response>},
+});
+
+const auto kOtherOptions = std::to_array<Option<PhotoOptions>>({
     {{.name = "second",
       .value = "FILE",
       .help = "a photograph from another side, which shows what the first one cannot; may be repeated for a series",
@@ -132,28 +92,11 @@ const auto kPhotoOptions = std::to_array<Option<PhotoOptions>>({
     {kMaxMemoryText, &PhotoOptions::max_memory},
 });
 
-/// "1/60,1/15,0.25"
-Result<std::vector<double>> parseExposures(const std::string& written) {
-  std::vector<double> exposures;
-  if (written.empty()) return exposures;
-  for (const std::string& part : split(written, ',')) {
-    const auto terms = split(part, '/');
-    const auto numerator = parseNumber(terms[0]);
-    const auto denominator = terms.size() == 2 ? parseNumber(terms[1]) : std::optional<double>(1.0);
-    if (terms.size() > 2 || !numerator || !denominator || !(*numerator > 0.0) || !(*denominator > 0.0))
-      return fail(ErrorCode::usage, "exposures are seconds with commas between, as in 1/60,1/15,1/4; '" + part +
-                                        "' of '" + written + "' is none");
-    exposures.push_back(*numerator / *denominator);
-  }
-  return exposures;
-}
-
 /// One side of the ball as the command line gives it.
 struct BallSide {
   std::vector<std::string> files;
-  std::vector<float> circle;
+  BallPhotoSettings settings;
   std::string circle_option;
-  std::string exposures;
   double turn_deg = 0.0;
   std::string debug;
 };
@@ -164,65 +107,6 @@ void tellf(const char* format, Values... values) {
   std::array<char, 512> line{};
   std::snprintf(line.data(), line.size(), format, values...);
   tell(line.data());
-}
-
-/// "30475 pixels are white even in the shortest exposure"
-std::string pixelsAre(std::size_t count, const std::string& what, bool is_series, const std::string& exposure) {
-  return countedAre(count, "pixel") + " " + what + (is_series ? " even in the " + exposure + " exposure" : "");
-}
-
-/// Reads and merges a series, and says what there is to say about it.
-///
-/// curve    the camera's response once a series has shown it: used for later single photographs, set by a series
-Result<Image> readLight(const BallSide& side, const PhotoOptions& options, Exif& exif, std::optional<Response>& curve) {
-  std::vector<Photograph> photographs;
-  for (const std::string& file : side.files) {
-    MIRRORBALL_TRY(photograph, readPhotograph(file));
-    photographs.push_back(std::move(photograph));
-  }
-  MergeOptions how;
-  MIRRORBALL_TRY(exposures, parseExposures(side.exposures));
-  how.exposures = std::move(exposures);
-  if (options.response > 0) how.response = static_cast<ResponseKind>(options.response - 1);
-  if (photographs.size() == 1 && !how.response) how.known = curve;
-  MIRRORBALL_TRY(merged, mergePhotographs(photographs, how));
-  if (merged.curve) curve = merged.curve;
-  exif = photographs[merged.reference].exif;
-  const bool is_series = photographs.size() > 1;
-  tell(is_series ? "light      " + std::to_string(photographs.size()) + " photographs merged as aligned, response " +
-                       merged.response + ", scale of " + photographs[merged.reference].name
-                 : "light      one photograph, response " + merged.response);
-  if (merged.clipped > 0)
-    remark(pixelsAre(merged.clipped, "white", is_series, "shortest") +
-           ": light there is brighter than recorded; add a shorter exposure");
-  if (merged.black > 0)
-    remark(pixelsAre(merged.black, "black", is_series, "longest") +
-           ": what light there is was not recorded; add a longer exposure");
-  for (std::size_t i = 0; i < photographs.size(); ++i)
-    if (const double stops = merged.contradicts_stops[i]; std::abs(stops) > kContradiction_stops)
-      remark(photographs[i].name + " contradicts the others by " + formatNumber(std::round(std::abs(stops) * 10) / 10) +
-             " stops: it is too " + (stops > 0 ? "bright" : "dark") +
-             " for its exposure; is that right, and did nothing move?");
-  return std::move(merged.light);
-}
-
-/// errors   usage: what can be told before anything is read
-Result<void> checkPerspective(const PhotoOptions& options) {
-  if (options.distance > 0.0f && options.fov_deg > 0.0f)
-    return fail(ErrorCode::usage, "--distance and --fov say the same: give one, the other follows from the rim");
-  if (options.distance > 0.0f && options.distance <= 1.0f)
-    return fail(ErrorCode::usage,
-                "--distance is from the camera to the ball's centre in radii of the ball, so more than "
-                "1; it was given " +
-                    formatNumber(double(options.distance)));
-  return {};
-}
-
-Perspective perspectiveOf(const PhotoOptions& options, const Exif& exif, const Image& light) {
-  if (options.distance > 0.0f) return Perspective{.distance = double(options.distance), .focal_px = 0.0};
-  if (options.fov_deg > 0.0f)
-    return Perspective{.distance = 0.0, .focal_px = focalLengthFromFov(double(options.fov_deg), light.height())};
-  return Perspective{.distance = 0.0, .focal_px = focalLengthFromExif(exif, light.width(), light.height())};
 }
 
 void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
@@ -244,15 +128,9 @@ void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
 
 /// Says so where another circle may be the ball's.
 void tellDoubt(const FoundBall& ball, const BallSide& side) {
-  if (ball.isSure()) return;
-  std::array<char, 128> rival{};
-  if (ball.rival)
-    std::snprintf(rival.data(), rival.size(), "; the next likely one is about %.0f,%.0f,%.0f", ball.rival->center_px.x,
-                  ball.rival->center_px.y, ball.rival->radius_px);
-  remark(side.files.front() + ": this circle may not be the ball's (confidence " +
-         std::to_string(std::lround(100.0 * ball.confidence)) + " %" + rival.data() +
-         "): look at it with --debug found.png, and if it is wrong give the right one with " + side.circle_option +
-         " X,Y,R");
+  if (const std::string doubt = doubtAbout(ball, side.files.front()); !doubt.empty())
+    remark(doubt + ": look at it with --debug found.png, and if it is wrong give the right one with " +
+           side.circle_option + " X,Y,R");
 }
 
 double capSolidAngle(double half_angle_rad) { return 2.0 * glm::radians(180.0) * (1.0 - std::cos(half_angle_rad)); }
@@ -272,24 +150,33 @@ Error ofSide(const BallSide& side, Error error) {
   return {error.code, error.message + "; give it with " + side.circle_option + " X,Y,R in pixels"};
 }
 
-Result<BallPhotograph> readBallSide(const BallSide& side, const PhotoOptions& options, std::optional<Response>& curve) {
-  Exif exif;
-  MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
-  const Perspective perspective = perspectiveOf(options, exif, light);
-  const bool is_given = !side.circle.empty();
-  const auto findOrTake = [&]() -> Result<FoundBall> {
-    if (!is_given) return withName(side.files.front(), findBall(light, perspective));
-    return withName(side.circle_option, ballOfCircle({{side.circle[0], side.circle[1]}, side.circle[2]},
-                                                     {light.width(), light.height()}, perspective));
-  };
-  auto found = findOrTake();
+/// Reads a side, and says what there is to say about it.
+///
+/// curve    the camera's response once a series has shown it: used for later single photographs, set by a series
+Result<BallPhotograph> readBallSide(const BallSide& side, std::optional<Response>& curve) {
+  MIRRORBALL_TRY(photographed, readBallLight(side.files, side.settings, curve));
+  if (photographed.curve) curve = photographed.curve;
+  tell("light      " + photographed.told);
+  for (const std::string& each : photographed.remarks) remark(each);
+  const bool is_given = !side.settings.circle.empty();
+  auto found = ballIn(photographed, side.settings);
+  if (is_given) found = withName(side.circle_option, std::move(found));
   if (!found) return tl::unexpected<Error>(ofSide(side, std::move(found).error()));
-  const FoundBall ball = *found;
-  tellBall(ball, light, is_given);
-  tellDoubt(ball, side);
-  tellBlindCone(ball.view);
-  if (!side.debug.empty()) MIRRORBALL_TRY_VOID(savePicture(side.debug, outlinePicture(light, ball.view)));
-  return BallPhotograph{std::move(light), ball.view, side.turn_deg};
+  tellBall(*found, photographed.light, is_given);
+  tellDoubt(*found, side);
+  tellBlindCone(found->view);
+  if (!side.debug.empty())
+    MIRRORBALL_TRY_VOID(savePicture(side.debug, outlinePicture(photographed.light, found->view)));
+  return BallPhotograph{std::move(photographed.light), found->view, side.turn_deg};
+}
+
+/// The second side, whose camera is the first one's.
+BallSide secondSide(const PhotoOptions& options, const BallPhotoSettings& first) {
+  BallPhotoSettings settings = first;
+  settings.circle = options.second_circle;
+  if (!options.second_exposures.empty()) settings.exposures = options.second_exposures;
+  return {options.second, std::move(settings), "--second-circle", double(options.second_rotation_deg),
+          options.debug.empty() ? "" : suffixed(options.debug, "_second")};
 }
 
 Result<void> checkPhotoFiles(const std::vector<std::string>& inputs, const PhotoOptions& options,
@@ -303,29 +190,24 @@ Result<void> checkPhotoFiles(const std::vector<std::string>& inputs, const Photo
   return refuseOverwriting(options.second, outputs);
 }
 
-Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& options,
-                   const MapOutputOptions& output_options) {
+Result<void> photo(const std::vector<std::string>& inputs, const BallPhotoSettings& first_side,
+                   const PhotoOptions& options, const MapOutputOptions& output_options) {
   if (output_options.output.empty()) {
     MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
     return fail(ErrorCode::usage, "photo needs an output: -o FILE");
   }
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
-  MIRRORBALL_TRY_VOID(checkPerspective(options));
+  MIRRORBALL_TRY_VOID(checkBallPhoto(first_side));
   MIRRORBALL_TRY(to, projectionToWrite(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
   MIRRORBALL_TRY(output, mapFileFor(output_options, output_options.output, to));
   MIRRORBALL_TRY_VOID(checkPhotoFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;
   std::optional<Response> curve;
-  MIRRORBALL_TRY(
-      first, readBallSide({inputs, options.circle, "--circle", options.exposures, 0.0, options.debug}, options, curve));
+  MIRRORBALL_TRY(first, readBallSide({inputs, first_side, "--circle", 0.0, options.debug}, curve));
   sides.push_back(std::move(first));
   if (!options.second.empty()) {
-    const std::string& exposures = options.second_exposures.empty() ? options.exposures : options.second_exposures;
-    const std::string debug = options.debug.empty() ? "" : suffixed(options.debug, "_second");
-    MIRRORBALL_TRY(second, readBallSide({options.second, options.second_circle, "--second-circle", exposures,
-                                         double(options.second_rotation_deg), debug},
-                                        options, curve));
+    MIRRORBALL_TRY(second, readBallSide(secondSide(options, first_side), curve));
     sides.push_back(std::move(second));
   }
   MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));
@@ -343,6 +225,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
 Command photoCommand() {
   struct Request {
     std::vector<std::string> inputs;
+    BallPhotoSettings first_side;
     PhotoOptions options;
     MapOutputOptions output;
   };
@@ -366,12 +249,15 @@ Command photoCommand() {
                .takes_path = true},
               request->inputs);
   addMapOutput(command, request->output);
-  addOptions(command, kPhotoOptions, request->options);
+  addOptions(command, kMapOptions, request->options);
+  addOptions(command, ballPhotoOptions(), request->first_side);
+  addOptions(command, kOtherOptions, request->options);
   command.action = [request] {
     std::vector<std::string*> inputs = pointersTo(request->inputs);
     for (std::string* second : pointersTo(request->options.second)) inputs.push_back(second);
-    return withStandardStreams(inputs, request->output.output,
-                               [&] { return photo(request->inputs, request->options, request->output); });
+    return withStandardStreams(inputs, request->output.output, [&] {
+      return photo(request->inputs, request->first_side, request->options, request->output);
+    });
   };
   return command;
 }

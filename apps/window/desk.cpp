@@ -294,6 +294,7 @@ void Desk::drawStatus(Viewer& viewer) const {
     if (ImGui::SmallButton("stop writing")) viewer.cancelSaving();
   }
   if (!status.saved_last.empty()) drawLine(status.saved_last);
+  if (!status.remark.empty()) drawLine(status.remark);
   if (!status.problem.empty()) drawLine(status.problem);
   if (!told_.empty()) drawLine(told_);
   ImGui::Separator();

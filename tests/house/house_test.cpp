@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"transfer", {"rays", "height_field"}},
     {"render", {"gl", "rays", "bake"}},
     {"study", {"render", "trace", "metric"}},
-    {"view", {"study"}},
+    {"view", {"study", "photo"}},
 };
 
 /// The folders of render/, each of which may include itself and those before it.

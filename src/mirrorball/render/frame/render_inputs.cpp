@@ -40,7 +40,9 @@ namespace {
 
 Result<LoadedEnvironment> loadLight(const RenderInputNames& names, const Observer& observer) {
   MIRRORBALL_TRY(loaded, observer.timed("environment: read", [&] {
-    return loadEnvironment(names.environment, names.load, observer.progressOf("read"));
+    const ProgressFunction progress = observer.progressOf("read");
+    return names.load_environment ? names.load_environment(progress)
+                                  : loadEnvironment(names.environment, names.load, progress);
   }));
   tellAbout(loaded, observer);
   if (EnvironmentMap* map = loaded.environment.map())

@@ -26,6 +26,8 @@ struct RenderInputNames {
   FrameSettings frame = {};            ///< of the pictures
   std::string environment = "studio";  ///< a file or a built-in: loadEnvironment
   EnvironmentLoadOptions load = {};    ///< of the environment
+  /// What loads the environment in place of loadEnvironment; empty: that does.
+  std::function<Result<LoadedEnvironment>(const ProgressFunction&)> load_environment = {};
   /// Where prefiltered environments and occlusion are kept, if they are.
   std::optional<CacheFolder> cache = {};
   /// What fills in the settings of the frame for the model (chooseTechniques), beside the loading of the environment;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mirrorball/view/control/camera_control.h"
+#include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
 namespace {
@@ -66,6 +67,11 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
        Workspace next = history.now();
        next.shows_map = !next.shows_map;
        history.change("The map alone", std::move(next));
+     }},
+    {"photograph", "A photograph of a mirror ball", "Light", "B", "",
+     [](History& history) {
+       const bool is_photograph = askedMap(history.now(), editedSide(history.now())).photo.has_value();
+       history.change("A photograph of a mirror ball", withPhotograph(history.now(), !is_photograph));
      }},
     {"inspect", "Inspect what is under the pointer", "Camera", "I", "",
      [](History& history) {

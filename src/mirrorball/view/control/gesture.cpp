@@ -5,9 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "mirrorball/photo/find_ball.h"
 #include "mirrorball/view/control/camera_control.h"
 #include "mirrorball/view/control/light_control.h"
 #include "mirrorball/view/map/map_hand.h"
+#include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
 namespace {
@@ -40,6 +42,7 @@ constexpr auto kTexts = std::to_array<GestureText>({
     {"Shift and left button, or the middle one", "shifts the picture: what is under the pointer stays there"},
     {"Ctrl and left button", "looks around from where the camera stands"},
     {"left button on the line of a comparison", "moves the line"},
+    {"left button on the circle of a ball, beside its map", "moves it; near its rim it becomes larger or smaller"},
     {"wheel", "comes nearer to what is under the pointer"},
     {"right button", "comes nearer"},
     {"Shift and right button", "turns the light"},
@@ -56,6 +59,7 @@ std::string chordOf(const KeyPressed& pressed) {
 }
 
 Gesture::Kind Gesture::kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown) {
+  if (now.shows_map) return kindOverMap(pressed, shown.ball);
   switch (pressed.button) {
     case PointerButton::middle:
       return Kind::pan;
@@ -96,25 +100,62 @@ std::optional<Change> Gesture::drag(glm::vec2 to_px, const Workspace& now, const
       return Change{"Move the line", std::move(next), true};
     }
     case Kind::turn_light:
-      break;
+      return Change{"Turn the light", withLightTurned(now, turnedLight(shown.env_rotation_deg, by_px, shown.size_px)),
+                    true};
+    case Kind::move_ball:
+    case Kind::resize_ball:
+    case Kind::nothing:
+      break;  // of the map alone, which is left
   }
-  return Change{"Turn the light", withLightTurned(now, turnedLight(shown.env_rotation_deg, by_px, shown.size_px)),
-                true};
+  return std::nullopt;
 }
 
-MapCanvas mapCanvas(glm::ivec2 size_px) { return {.size_px = size_px}; }
+MapCanvas mapCanvas(glm::ivec2 size_px, glm::ivec2 photograph_px) {
+  return {.size_px = size_px, .photograph_px = photograph_px};
+}
+
+/// Near its rim a ball becomes larger or smaller, within it moves; all else is of the map.
+Gesture::Kind Gesture::kindOverMap(const PointerPressed& pressed, const std::optional<ShownBall>& ball) {
+  if (!ball || !ball->place.holds(pressed.place_px)) return Kind::look_around;
+  const Circle circle = circleInPicture(ball->view);
+  const float radius_px = glm::distance(ball->placeOf(circle.center_px + glm::dvec2(circle.radius_px, 0.0)),
+                                        ball->placeOf(circle.center_px));
+  const float outside_px = glm::distance(ball->placeOf(circle.center_px), pressed.place_px) - radius_px;
+  if (pressed.button != PointerButton::left || outside_px > kOfLine_px) return Kind::nothing;
+  // Of a small ball the middle moves it still.
+  return outside_px > -std::min(kOfLine_px, 0.5f * radius_px) ? Kind::resize_ball : Kind::move_ball;
+}
+
+/// The ball is to stay in the photograph, and to be seen.
+std::optional<Change> Gesture::dragBall(glm::vec2 from_px, glm::vec2 to_px, const Workspace& now,
+                                        const ShownBall& ball) const {
+  constexpr double kSmallest_px = 3.0;
+  const glm::dvec2 from = ball.photographPixel(from_px), to = ball.photographPixel(to_px);
+  Circle circle = circleInPicture(ball.view);
+  if (held_->kind == Kind::resize_ball) {
+    const double by = glm::distance(to, circle.center_px) - glm::distance(from, circle.center_px);
+    circle.radius_px = std::max(circle.radius_px + by, kSmallest_px);
+    return Change{"Resize the ball's circle", withBallCircle(now, circle), true};
+  }
+  circle.center_px = glm::clamp(circle.center_px + to - from, glm::dvec2(0.0), glm::dvec2(ball.size_px));
+  return Change{"Move the ball's circle", withBallCircle(now, circle), true};
+}
 
 /// Of a map alone one looks around from inside.
-std::optional<Change> Gesture::handleMap(const Event& event, const Workspace& now, glm::ivec2 size_px) {
+std::optional<Change> Gesture::handleMap(const Event& event, const Workspace& now, const ShownPicture& shown) {
   const auto settings = mapViewOf(now);
   if (!settings) return std::nullopt;
-  const MapCanvas canvas = mapCanvas(size_px);
+  const MapCanvas canvas = mapCanvas(shown.size_px, shown.ball ? shown.ball->size_px : glm::ivec2(0));
   if (const auto* moved = std::get_if<PointerMoved>(&event); moved && held_) {
     const glm::vec2 from_px = std::exchange(held_->place_px, moved->place_px);
+    if (held_->kind == Kind::nothing) return std::nullopt;
+    if (held_->kind == Kind::move_ball || held_->kind == Kind::resize_ball)
+      return shown.ball ? dragBall(from_px, moved->place_px, now, *shown.ball) : std::nullopt;
     return Change{"Look around in the map", withMapView(now, dragged(*settings, canvas, from_px, moved->place_px)),
                   true};
   }
   if (const auto* scrolled = std::get_if<Scrolled>(&event)) {
+    if (shown.ball && shown.ball->place.holds(scrolled->place_px)) return std::nullopt;
     const float factor = std::pow(kNearerForNotch, scrolled->notches);
     return Change{"Zoom in the map", withMapView(now, zoomed(*settings, canvas, factor, scrolled->place_px)), true};
   }
@@ -122,13 +163,14 @@ std::optional<Change> Gesture::handleMap(const Event& event, const Workspace& no
 }
 
 bool Gesture::asksForPicture(const Event& event, const Workspace& now) const {
-  if (now.compare_by == CompareBy::slider && std::holds_alternative<PointerPressed>(event)) return true;
+  if ((now.compare_by == CompareBy::slider || now.shows_map) && std::holds_alternative<PointerPressed>(event))
+    return true;
   return std::holds_alternative<Scrolled>(event) || (held_ && std::holds_alternative<PointerMoved>(event));
 }
 
 std::optional<Change> Gesture::handle(const Event& event, const Workspace& now, const ShownPicture& shown) {
   const bool is_of_map = std::holds_alternative<PointerMoved>(event) || std::holds_alternative<Scrolled>(event);
-  if (now.shows_map && is_of_map) return handleMap(event, now, shown.size_px);
+  if (now.shows_map && is_of_map) return handleMap(event, now, shown);
   if (const auto* pressed = std::get_if<PointerPressed>(&event)) {
     if (!held_) held_ = Held{pressed->button, kindOf(*pressed, now, shown), pressed->place_px, pressed->place_px};
   } else if (const auto* moved = std::get_if<PointerMoved>(&event)) {

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/photo/ball_view.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/view/control/event.h"
@@ -24,16 +25,33 @@ struct Change {
   bool goes_on = false;
 };
 
+/// A photograph beside the map that it was unwrapped to, and the ball in it.
+struct ShownBall {
+  BallView view;          ///< in pixels of the photograph
+  PixelRectangle place;   ///< of the photograph in the picture
+  glm::ivec2 size_px{1};  ///< of the photograph
+
+  /// Where a pixel of the photograph is seen, and the other way.
+  glm::vec2 placeOf(glm::dvec2 photograph_px) const {
+    return glm::vec2(place.corner) + glm::vec2(photograph_px) * scale();
+  }
+  glm::dvec2 photographPixel(glm::vec2 place_px) const { return (place_px - glm::vec2(place.corner)) / scale(); }
+
+ private:
+  glm::vec2 scale() const { return glm::vec2(place.extent) / glm::vec2(size_px); }
+};
+
 /// What hands must know of the picture that they move.
 struct ShownPicture {
   CameraOptions camera = {};  ///< placedCamera()
   BoundingSphere bounds = {};
   glm::ivec2 size_px{1};
   glm::vec3 env_rotation_deg{0.0f};
+  std::optional<ShownBall> ball = {};
 };
 
-/// The picture of a map alone.
-MapCanvas mapCanvas(glm::ivec2 size_px);
+/// The picture of a map alone, and of a photograph beside it.
+MapCanvas mapCanvas(glm::ivec2 size_px, glm::ivec2 photograph_px = glm::ivec2(0));
 
 /// What a hand does, for pages of help.
 struct GestureText {
@@ -63,7 +81,7 @@ class Gesture {
   bool isGoingOn() const { return held_.has_value() || !flying_.empty(); }
 
  private:
-  enum class Kind { orbit, pan, look_around, approach, turn_light, divide };
+  enum class Kind { orbit, pan, look_around, approach, turn_light, divide, move_ball, resize_ball, nothing };
   struct Held {
     PointerButton button;
     Kind kind;
@@ -72,7 +90,9 @@ class Gesture {
     bool has_moved = false;
   };
   static Kind kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown);
-  std::optional<Change> handleMap(const Event& event, const Workspace& now, glm::ivec2 size_px);
+  static Kind kindOverMap(const PointerPressed& pressed, const std::optional<ShownBall>& ball);
+  std::optional<Change> handleMap(const Event& event, const Workspace& now, const ShownPicture& shown);
+  std::optional<Change> dragBall(glm::vec2 from_px, glm::vec2 to_px, const Workspace& now, const ShownBall& ball) const;
   std::optional<Change> drag(glm::vec2 to_px, const Workspace& now, const ShownPicture& shown);
 
   std::optional<Held> held_;

@@ -103,5 +103,46 @@ TEST(Commands, DoWhatTheySay) {
   EXPECT_EQ(history.now(), Workspace());
 }
 
+/// A ball of 20 pixels around (50, 40) in a photograph of 100 × 80, seen twice as large from (10, 20) on.
+const ShownPicture kBesideMap{
+    .size_px = {480, 200},
+    .ball = ShownBall{BallView(Pinhole{{50, 40}, 0.0}, {{50, 40}, 20}), {{10, 20}, {200, 160}}, {100, 80}}};
+
+Workspace besideMap() {
+  Workspace workspace;
+  workspace.maps = {"ball.jpg"};
+  workspace.photos["ball.jpg"] = {};
+  workspace.shows_map = true;
+  workspace.map_view = {{"picture", {"inside"}}};
+  return workspace;
+}
+
+/// The circle that is given after a way, as a text; "" where none is.
+std::string circleAfter(glm::vec2 from_px, glm::vec2 to_px, PointerButton button = PointerButton::left) {
+  Gesture gesture;
+  const PointerPressed pressed{button, from_px};
+  EXPECT_TRUE(gesture.asksForPicture(pressed, besideMap()));
+  EXPECT_FALSE(gesture.handle(pressed, besideMap(), kBesideMap));
+  const auto change = gesture.handle(PointerMoved{to_px}, besideMap(), kBesideMap);
+  if (!change) return "";
+  EXPECT_TRUE(change->goes_on);
+  const GivenTexts& given = change->next.photos.at("ball.jpg");
+  return given.empty() ? "another change" : given.at("circle").front();
+}
+
+TEST(Gesture, ABallBesideItsMapIsMovedAndResized) {
+  EXPECT_EQ(circleAfter({110, 100}, {120, 90}), "55,35,20");
+  EXPECT_EQ(circleAfter({150, 100}, {160, 100}), "50,40,25") << "by its rim, from which the hand is nowhere";
+  EXPECT_EQ(circleAfter({154, 100}, {164, 100}), "50,40,25") << "from a little outside";
+  EXPECT_EQ(circleAfter({150, 100}, {110, 100}), "50,40,3") << "it stays to be seen";
+  EXPECT_EQ(circleAfter({110, 100}, {-900, 100}), "0,40,20") << "and in the photograph";
+  EXPECT_EQ(circleAfter({15, 25}, {60, 60}), "") << "beside the ball";
+  EXPECT_EQ(circleAfter({110, 100}, {120, 90}, PointerButton::right), "");
+  EXPECT_EQ(circleAfter({300, 100}, {320, 100}), "another change") << "in the map one looks around";
+  Gesture gesture;
+  EXPECT_TRUE(gesture.handle(Scrolled{1.0f, {300, 100}}, besideMap(), kBesideMap));
+  EXPECT_FALSE(gesture.handle(Scrolled{1.0f, {110, 100}}, besideMap(), kBesideMap)) << "a photograph stays as it is";
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -135,6 +135,21 @@ void alignWaveform(const MapViewSettings& settings, int line_px, MapLayout& layo
   }
 }
 
+/// Gives a photograph the left half, or of a high picture the upper one.
+void layPhotograph(glm::ivec2 size, int line_px, PixelRectangle& room, MapLayout& layout) {
+  const int axis = room.extent.x >= room.extent.y ? 0 : 1;
+  PixelRectangle half = room;
+  half.extent[axis] /= 2;
+  room.corner[axis] += half.extent[axis];
+  room.extent[axis] -= half.extent[axis];
+  const int gap = std::max(line_px / 2, 1);
+  const glm::vec2 inner(half.extent - 2 * gap);
+  const float scale = std::min(inner.x / static_cast<float>(size.x), inner.y / static_cast<float>(size.y));
+  const glm::ivec2 extent(scale * glm::vec2(size) + 0.5f);
+  if (extent.x < 1 || extent.y < 1) return;
+  layout.photograph = PixelRectangle{half.corner + (half.extent - extent) / 2, extent};
+}
+
 }  // namespace
 
 bool PixelRectangle::holds(glm::vec2 pixel) const {
@@ -146,6 +161,8 @@ bool PixelRectangle::holds(glm::vec2 pixel) const {
 MapLayout mapLayout(const MapViewSettings& settings, const MapCanvas& canvas) {
   MapLayout layout;
   PixelRectangle room{glm::ivec2(0), canvas.size_px};
+  if (canvas.photograph_px.x > 0 && canvas.photograph_px.y > 0)
+    layPhotograph(canvas.photograph_px, canvas.line_px, room, layout);
   if (settings.false_colors) layLegend(settings, canvas.line_px, room, layout);
   if (settings.waveform) layWaveform(canvas.line_px, room, layout);
   if (settings.page == MapPage::inside)

@@ -18,6 +18,7 @@ namespace mirrorball {
 struct MapCanvas {
   glm::ivec2 size_px{1280, 720};  ///< at least 1 × 1
   int line_px = 16;               ///< height that the face needs for a line of text, at least 1
+  glm::ivec2 photograph_px{0};    ///< size of a photograph that is to be seen beside the map; 0: none is
 
   bool operator==(const MapCanvas&) const = default;
 };
@@ -49,11 +50,13 @@ struct MapLayout {
   std::optional<PixelRectangle> inside = {};  ///< the view from inside
   std::optional<PixelRectangle> legend = {};  ///< of the false colours: from dark on the left to bright
   std::optional<PixelRectangle> waveform = {};
-  std::vector<MapLabel> labels = {};  ///< projections' names, and stops at the legend and the waveform
+  std::optional<PixelRectangle> photograph = {};  ///< that the map was unwrapped from, in its own proportions
+  std::vector<MapLabel> labels = {};              ///< projections' names, and stops at the legend and the waveform
 };
 
 /// Lays a picture out. A cube is a horizontal cross, a paraboloid map its front with its back on the right; on the
-/// sheet of all projections, rows are as high as the picture lets them. What has no room is left out.
+/// sheet of all projections, rows are as high as the picture lets them. A photograph takes half of the picture. What
+/// has no room is left out.
 ///
 /// cost     microseconds
 MapLayout mapLayout(const MapViewSettings& settings, const MapCanvas& canvas);

@@ -157,5 +157,24 @@ TEST(MapViewOptions, PicturesAreThePagesAndEveryProjection) {
   EXPECT_EQ(settings.page, MapPage::inside);
 }
 
+TEST(MapLayout, APhotographHasHalfOfThePicture) {
+  for (const glm::ivec2 size : {glm::ivec2(640, 360), glm::ivec2(360, 640)}) {
+    const MapCanvas canvas{.size_px = size, .photograph_px = {900, 700}};
+    for (const MapViewSettings& settings : everyPage()) {
+      const MapLayout layout = mapLayout(settings, canvas);
+      ASSERT_TRUE(layout.photograph);
+      const PixelRectangle place = *layout.photograph;
+      EXPECT_NEAR(float(place.extent.x) / float(place.extent.y), 900.0f / 700.0f, 0.01f);
+      EXPECT_GT(place.extent.x * place.extent.y, size.x * size.y / 5);
+      for (int y = place.corner.y; y < place.corner.y + place.extent.y; y += 7)
+        for (int x = place.corner.x; x < place.corner.x + place.extent.x; x += 7)
+          EXPECT_FALSE(directionAtPixel(layout, settings, {x, y})) << pageName(settings) << ": the map lies over it";
+      EXPECT_TRUE(layout.inside || !layout.panes.empty());
+    }
+  }
+  EXPECT_FALSE(mapLayout({}, kLayoutCanvas).photograph);
+  EXPECT_FALSE(mapLayout({}, MapCanvas{.size_px = {3, 2}, .photograph_px = {900, 700}}).photograph);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -10,6 +10,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/image/resize.h"
 #include "mirrorball/view/map/false_colors.h"
 
 namespace mirrorball {
@@ -80,6 +81,10 @@ Result<void> drawInside(const PreparedMap& map, const MapViewSettings& settings,
   return counter.result();
 }
 
+void drawPhotograph(const Image& photograph, const PixelRectangle& place, Image& light) {
+  addShare(resized(photograph, place.extent), 1.0f, place, light);
+}
+
 void drawPixel(glm::ivec2 pixel, Color color, Image8& picture) {
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture.width() || pixel.y >= picture.height()) return;
   std::copy_n(&color.x, 4, picture.texel(pixel.x, pixel.y));
@@ -117,6 +122,7 @@ Result<Image> mapLight(const PreparedMap& map, const MapViewSettings& settings, 
                        const ProgressFunction& progress) {
   Image light(canvas.size_px.x, canvas.size_px.y, 4);
   const MapLayout layout = mapLayout(settings, canvas);
+  if (layout.photograph && map.photograph) drawPhotograph(*map.photograph, *layout.photograph, light);
   if (layout.inside) MIRRORBALL_TRY_VOID(drawInside(map, settings, *layout.inside, progress, light));
   for (std::size_t pane = 0; pane < layout.panes.size();) {
     const auto images = static_cast<std::size_t>(faceCount(layout.panes[pane].projection));

@@ -237,5 +237,22 @@ TEST(MapPicture, CanBeStopped) {
   }
 }
 
+TEST(MapPicture, ShowsThePhotographThatAMapIsUnwrappedFrom) {
+  PreparedMap map = prepared(constantMap(Projection::equirect, 16, glm::vec3(0.25f)));
+  const MapCanvas canvas{.size_px = {320, 180}, .photograph_px = {40, 30}};
+  Image photograph(40, 30, 3, 1.0f);
+  for (int y = 0; y < 30; ++y) std::fill_n(photograph.texel(0, y), 3 * 20, 3.0f);
+  map.photograph = std::make_shared<const Image>(photograph);
+  const PixelRectangle place = *mapLayout({}, canvas).photograph;
+  const Image light = *mapLight(map, {}, canvas);
+  const auto at = [&](float x, float y) {
+    const glm::ivec2 pixel = glm::vec2(place.corner) + glm::vec2(x, y) * glm::vec2(place.extent);
+    return glm::vec2(light.texel(pixel.x, pixel.y)[1], light.texel(pixel.x, pixel.y)[3]);
+  };
+  EXPECT_EQ(at(0.1f, 0.1f), glm::vec2(3.0f, 1.0f));
+  EXPECT_EQ(at(0.9f, 0.9f), glm::vec2(1.0f, 1.0f));
+  EXPECT_EQ(at(0.5f, -0.02f), glm::vec2(0.0f)) << "above it";
+}
+
 }  // namespace
 }  // namespace mirrorball

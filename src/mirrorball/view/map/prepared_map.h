@@ -32,6 +32,8 @@ struct PreparedMap {
   FaultyTexels faulty = {};
   std::vector<Lamp> lamps = {};  ///< the strongest, at most kMostLamps
   Waveform waveform = {};        ///< of a panorama of at most 1024 × 512 texels
+  /// The light of a photograph that it was unwrapped from; null: it was from none.
+  std::shared_ptr<const Image> photograph = {};
 };
 
 /// Finds it. May go on beside others (BackgroundTask).

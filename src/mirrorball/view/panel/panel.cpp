@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
 namespace {
@@ -37,8 +38,10 @@ PanelRow rowOf(const Option<Target>& option, OptionTable table, const Values<Tar
   return row;
 }
 
-/// The heading of an option, which parameters of materials have not in their table.
+/// The heading of an option, which parameters of materials have not in their table; those of a photograph belong
+/// together.
 std::string_view titleOf(OptionTable table, const OptionText& text) {
+  if (table == OptionTable::photo) return "Photograph of a mirror ball";
   return table == OptionTable::parameter ? "Selected material" : text.group;
 }
 
@@ -63,6 +66,38 @@ Result<std::string> textOf(Table options, std::string_view name, const ControlVa
   return fail(ErrorCode::usage, "there is no option '" + excerpt(name) + "'");
 }
 
+/// The text of a row's value.
+Result<std::string> textOf(const PanelRow& row, const ControlValue& value) {
+  switch (row.table) {
+    case OptionTable::stance:
+      return textOf<ModelStance>(stanceOptions(), row.name, value);
+    case OptionTable::frame:
+      return row.name == qualityOptions().front().text.name ? textOf<QualityRequest>(qualityOptions(), row.name, value)
+                                                            : textOf<FrameSettings>(frameOptions(), row.name, value);
+    case OptionTable::material:
+      return textOf<MaterialChanges>(materialOptions(), row.name, value);
+    case OptionTable::parameter:
+      return textOf<Material>(materialParameters(), row.name, value);
+    case OptionTable::map_view:
+      return textOf<MapViewSettings>(mapViewOptions(), row.name, value);
+    case OptionTable::photo:
+      break;
+  }
+  return textOf<BallPhotoSettings>(ballPhotoOptions(), row.name, value);
+}
+
+/// What there is to be set of a photograph, behind all else. Exposure times are of a series.
+Result<void> addPhotoRows(const Workspace& workspace, std::vector<PanelGroup>& groups) {
+  const AskedMap map = askedMap(workspace, editedSide(workspace));
+  if (!map.photo) return {};
+  MIRRORBALL_TRY(settings, ballPhotoOf(*map.photo));
+  const Values<BallPhotoSettings> values{std::move(settings), {}, *map.photo};
+  for (const auto& option : ballPhotoOptions())
+    if (option.text.name != "exposures")
+      addRow(rowOf(option, OptionTable::photo, values), titleOf(OptionTable::photo, option.text), groups);
+  return {};
+}
+
 /// What there is to be set while the map is looked at.
 Result<std::vector<PanelGroup>> mapPanelsOf(const Workspace& workspace) {
   MIRRORBALL_TRY(settings, mapViewOf(workspace));
@@ -70,6 +105,7 @@ Result<std::vector<PanelGroup>> mapPanelsOf(const Workspace& workspace) {
   for (const auto& option : mapViewOptions())
     addRow(rowOf(option, OptionTable::map_view, Values<MapViewSettings>{settings, {}, workspace.map_view}),
            option.text.group, groups);
+  MIRRORBALL_TRY_VOID(addPhotoRows(workspace, groups));
   return groups;
 }
 
@@ -105,6 +141,7 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
   const Values<MaterialChanges> of_model{materials, MaterialChanges(), workspace.materials};
   for (const auto& option : materialOptions())
     addRow(rowOf(option, OptionTable::material, of_model), option.text.group, groups);
+  MIRRORBALL_TRY_VOID(addPhotoRows(workspace, groups));
   if (!selected || !workspace.selected_material) return groups;
   const auto found = workspace.parameters.find(*workspace.selected_material);
   const GivenTexts given = found == workspace.parameters.end() ? GivenTexts() : found->second;
@@ -118,13 +155,7 @@ Result<std::vector<PanelGroup>> panelsOf(const Workspace& workspace, const Mater
 }
 
 Result<Workspace> withValue(const Workspace& workspace, const PanelRow& row, const ControlValue& value) {
-  const bool is_of_quality = row.name == qualityOptions().front().text.name;
-  const auto text = is_of_quality                        ? textOf<QualityRequest>(qualityOptions(), row.name, value)
-                    : row.table == OptionTable::stance   ? textOf<ModelStance>(stanceOptions(), row.name, value)
-                    : row.table == OptionTable::frame    ? textOf<FrameSettings>(frameOptions(), row.name, value)
-                    : row.table == OptionTable::map_view ? textOf<MapViewSettings>(mapViewOptions(), row.name, value)
-                    : row.table == OptionTable::material ? textOf<MaterialChanges>(materialOptions(), row.name, value)
-                                                         : textOf<Material>(materialParameters(), row.name, value);
+  const auto text = textOf(row, value);
   if (!text) return tl::unexpected<Error>(text.error());
   if (text->empty()) return row.may_repeat ? workspace : withoutOption(workspace, row.table, row.name);
   return withOption(workspace, row.table, row.name, *text);
@@ -142,6 +173,7 @@ Workspace withoutGroup(Workspace workspace, std::string_view title) {
   leave(materialOptions(), OptionTable::material);
   leave(materialParameters(), OptionTable::parameter);
   leave(mapViewOptions(), OptionTable::map_view);
+  leave(ballPhotoOptions(), OptionTable::photo);
   return workspace;
 }
 

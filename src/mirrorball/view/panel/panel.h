@@ -37,7 +37,7 @@ struct PanelGroup {
 };
 
 /// All rows, by group, in the tables' order: of the half that is edited and the material that is selected, with their
-/// values; while the map is shown without the model, of that.
+/// values; while the map is shown without the model, of that. Of a map that is a photograph, its rows too.
 ///
 /// selected   the material as it is without Workspace::parameters; null: its rows are left out
 /// errors     as frameOf's

@@ -6,12 +6,13 @@
 
 namespace mirrorball {
 
-Result<void> LitStage::follow(ShownModel& model, const std::string& map, const std::optional<CacheFolder>& cache) {
-  light_.askFor(map, [cache](const std::string& name, const ProgressFunction& progress) {
-    return loadedLight(name, cache, progress);
+Result<void> LitStage::follow(ShownModel& model, const AskedMap& map, const std::optional<CacheFolder>& cache) {
+  light_.askFor(map, [cache](const AskedMap& asked, const ProgressFunction& progress) {
+    return loadedLight(asked, cache, progress);
   });
   if (auto light = light_.take()) {
     watch_.watch(light->files);
+    remark_ = std::move(light->remark);
     const auto set = stage_.setEnvironment(std::move(light->environment), light->prepared);
     has_light_ = has_light_ || set;
     ++version_;
@@ -23,7 +24,7 @@ Result<void> LitStage::follow(ShownModel& model, const std::string& map, const s
   return tell(stage_.setScene(model.scene(), model.takeLevels()), problem_of_model_);
 }
 
-bool LitStage::isUpToDate(const ShownModel& model, const std::string& map) const {
+bool LitStage::isUpToDate(const ShownModel& model, const AskedMap& map) const {
   return light_.isAskedFor(map) && !light_.isRunning() && model_version_ == model.version();
 }
 

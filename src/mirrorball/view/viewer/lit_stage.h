@@ -18,7 +18,7 @@ class LitStage {
   /// Begins to load a panorama, takes what was loaded, and shows the model as it is now.
   ///
   /// errors   no_gl; all else is told by problem()
-  Result<void> follow(ShownModel& model, const std::string& map, const std::optional<CacheFolder>& cache);
+  Result<void> follow(ShownModel& model, const AskedMap& map, const std::optional<CacheFolder>& cache);
 
   /// Loads the panorama again if a file of it has changed, when it is next asked for.
   void askDisk() {
@@ -26,26 +26,29 @@ class LitStage {
   }
 
   bool isReady() const { return has_light_ && model_version_ > 0; }
-  bool isUpToDate(const ShownModel& model, const std::string& map) const;
+  bool isUpToDate(const ShownModel& model, const AskedMap& map) const;
   /// Counts its changes.
   int version() const { return version_; }
 
   Stage& stage() { return stage_; }
   const Stage& stage() const { return stage_; }
 
-  const LoadingByName<LoadedLight>& loading() const { return light_; }
+  const LoadingByName<LoadedLight, AskedMap>& loading() const { return light_; }
   /// Why it does not show what was asked for; empty: it does.
   const std::string& problem() const;
+  /// What is doubtful about the light that it shows: LoadedMap's.
+  const std::string& remark() const { return remark_; }
 
  private:
   Stage stage_;
-  LoadingByName<LoadedLight> light_;
+  LoadingByName<LoadedLight, AskedMap> light_;
   FileWatch watch_;
   bool has_light_ = false;
   int model_version_ = 0;
   int version_ = 0;
   std::string problem_of_light_;
   std::string problem_of_model_;
+  std::string remark_;
 };
 
 }  // namespace mirrorball

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "mirrorball/environment/file/load.h"
 #include "mirrorball/rays/seen_from.h"
 #include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/load_model.h"
@@ -20,12 +19,14 @@ Result<LoadedModel> loadedModel(const std::string& name, bool inside_only, const
   return LoadedModel{std::move(scene), std::move(levels), hides_itself};
 }
 
-Result<LoadedLight> loadedLight(const std::string& name, const std::optional<CacheFolder>& cache,
+Result<LoadedLight> loadedLight(const AskedMap& source, const std::optional<CacheFolder>& cache,
                                 const ProgressFunction& progress) {
-  MIRRORBALL_TRY(loaded, loadEnvironment(name, {}, progress));
-  if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
+  MIRRORBALL_TRY(map, loadMap(source, {}, progress));
+  LoadedEnvironment& loaded = map.loaded;
+  if (EnvironmentMap* images = loaded.environment.map()) raiseNegativeLight(*images);
   MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
-  return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files)};
+  return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files),
+                     std::move(map.remark)};
 }
 
 }  // namespace mirrorball

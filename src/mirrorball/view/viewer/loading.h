@@ -14,6 +14,7 @@
 #include "mirrorball/render/surface/map_levels.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/view/viewer/background_task.h"
+#include "mirrorball/view/viewer/map_loading.h"
 
 namespace mirrorball {
 
@@ -34,20 +35,27 @@ struct LoadedLight {
   Environment environment;
   PreparedEnvironment prepared;
   std::vector<std::string> files;  ///< that were read
+  std::string remark = {};         ///< LoadedMap's
 };
 
-/// errors   as loadEnvironment's; interrupted
-Result<LoadedLight> loadedLight(const std::string& name, const std::optional<CacheFolder>& cache,
+/// errors   as loadMap's; interrupted
+Result<LoadedLight> loadedLight(const AskedMap& source, const std::optional<CacheFolder>& cache,
                                 const ProgressFunction& progress);
 
+// The name of what is asked for.
+inline const std::string& nameOf(const std::string& asked) { return asked; }
+inline const std::string& nameOf(const AskedMap& asked) { return asked.name; }
+
 /// Something that is loaded by its name, when another name is asked for.
-template <typename Value>
+///
+/// Name   or more than a name, all of which says what is loaded
+template <typename Value, typename Name = std::string>
 class LoadingByName {
  public:
-  using Load = std::function<Result<Value>(const std::string& name, const ProgressFunction& progress)>;
+  using Load = std::function<Result<Value>(const Name& name, const ProgressFunction& progress)>;
 
   /// Begins to load it, unless it was asked for last.
-  void askFor(const std::string& name, Load load) {
+  void askFor(const Name& name, Load load) {
     if (asked_for_ == name) return;
     asked_for_ = name;
     problem_.clear();
@@ -55,7 +63,7 @@ class LoadingByName {
   }
 
   /// Loads it again when it is next asked for: its files have changed.
-  void forget() { asked_for_.clear(); }
+  void forget() { asked_for_ = Name(); }
 
   /// What was loaded, once. What could not be is told by problem().
   std::optional<Value> take() {
@@ -68,14 +76,15 @@ class LoadingByName {
 
   bool isRunning() const { return task_.isRunning(); }
   double share() const { return task_.share(); }
-  bool isAskedFor(const std::string& name) const { return asked_for_ == name; }
+  bool isAskedFor(const Name& name) const { return asked_for_ == name; }
   /// That was asked for last; empty: none.
-  const std::string& name() const { return asked_for_; }
+  const std::string& name() const { return nameOf(asked_for_); }
+  const Name& asked() const { return asked_for_; }
   const std::string& problem() const { return problem_; }
 
  private:
   BackgroundTask<Value> task_;
-  std::string asked_for_;
+  Name asked_for_;
   std::string problem_;
 };
 

@@ -8,7 +8,7 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/environment/convert/convert.h"
-#include "mirrorball/environment/file/load.h"
+#include "mirrorball/view/viewer/map_loading.h"
 
 namespace mirrorball {
 namespace {
@@ -29,9 +29,9 @@ Display displayFor(const Image& light) {
   return {.exposure_ev = static_cast<float>(std::log2(kMiddleGrey) - mean), .tone_map = ToneMap::agx};
 }
 
-Result<Image8> thumbnailOf(const std::string& name, const ProgressFunction& progress) {
-  MIRRORBALL_TRY(loaded, loadEnvironment(name, {.repair = true}, progress));
-  MIRRORBALL_TRY(map, convert(loaded.environment, Projection::equirect, kHeight_px, {}, progress));
+Result<Image8> thumbnailOf(const AskedMap& asked, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(source, loadMap(asked, {.environment = {.repair = true}}, progress));
+  MIRRORBALL_TRY(map, convert(source.loaded.environment, Projection::equirect, kHeight_px, {}, progress));
   Image light = pictureOf(std::move(map), {.projection = Projection::equirect});
   const Display display = displayFor(light);
   Image opaque(light.width(), light.height(), 4, 1.0f);
@@ -42,10 +42,13 @@ Result<Image8> thumbnailOf(const std::string& name, const ProgressFunction& prog
 
 }  // namespace
 
+MapThumbnails::Key MapThumbnails::keyOf(const Workspace& workspace, const std::string& map) {
+  return {map, workspace.photos.contains(map)};
+}
+
 MapThumbnails::MapThumbnails(const Device& device) : on_(new OnDevice{device}) {}
 
 Result<bool> MapThumbnails::follow(const Workspace& workspace) {
-  const std::vector<std::string>& maps = workspace.maps;
   if (auto ready = making_.take()) {
     MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
     std::optional<gl::Framebuffer>& picture = on_->pictures[made_];
@@ -57,11 +60,16 @@ Result<bool> MapThumbnails::follow(const Workspace& workspace) {
   }
   if (making_.isRunning() || isDone(workspace)) return false;
   MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
-  if (std::erase_if(on_->pictures, [&](const auto& each) { return !contains(maps, each.first); }) > 0) return true;
-  for (const std::string& map : maps) {
-    if (on_->pictures.contains(map)) continue;
-    made_ = map;
-    making_.begin([map](const ProgressFunction& progress) { return thumbnailOf(map, progress); });
+  const auto is_let_go = [&](const auto& each) {
+    return !contains(workspace.maps, each.first.name) || each.first != keyOf(workspace, each.first.name);
+  };
+  if (std::erase_if(on_->pictures, is_let_go) > 0) return true;
+  for (const std::string& map : workspace.maps) {
+    made_ = keyOf(workspace, map);
+    if (on_->pictures.contains(made_)) continue;
+    AskedMap asked{map};
+    if (made_.is_photograph) asked.photo = workspace.photos.at(map);
+    making_.begin([asked](const ProgressFunction& progress) { return thumbnailOf(asked, progress); });
     break;
   }
   return false;
@@ -70,7 +78,7 @@ Result<bool> MapThumbnails::follow(const Workspace& workspace) {
 bool MapThumbnails::isDone(const Workspace& workspace) const {
   if (workspace.maps.size() < 2) return true;
   for (const std::string& map : workspace.maps)
-    if (!on_->pictures.contains(map)) return false;
+    if (!on_->pictures.contains(keyOf(workspace, map))) return false;
   return !making_.isRunning();
 }
 
@@ -80,7 +88,7 @@ std::vector<MapThumbnail> MapThumbnails::of(const Workspace& workspace) const {
   const std::string& shown = mapOf(workspace, editedSide(workspace));
   for (const std::string& map : workspace.maps) {
     MapThumbnail& thumbnail = thumbnails.emplace_back(MapThumbnail{.name = map, .is_shown = map == shown});
-    const auto found = on_->pictures.find(map);
+    const auto found = on_->pictures.find(keyOf(workspace, map));
     if (found == on_->pictures.end() || !found->second) continue;
     thumbnail.texture = found->second->color().name();
     thumbnail.size_px = {found->second->width(), found->second->height()};

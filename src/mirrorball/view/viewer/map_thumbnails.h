@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,13 +34,22 @@ class MapThumbnails {
   std::vector<MapThumbnail> of(const Workspace& workspace) const;
 
  private:
+  /// A photograph that is unwrapped otherwise looks much the same in small.
+  struct Key {
+    std::string name;
+    bool is_photograph = false;
+
+    auto operator<=>(const Key&) const = default;
+  };
+  static Key keyOf(const Workspace& workspace, const std::string& map);
+
   struct OnDevice {
-    Device device;                                                        // outlives all else
-    std::map<std::string, std::optional<gl::Framebuffer>> pictures = {};  // nothing: it cannot be loaded
+    Device device;                                                // outlives all else
+    std::map<Key, std::optional<gl::Framebuffer>> pictures = {};  // nothing: it cannot be loaded
   };
   std::unique_ptr<OnDevice, EndOnDevice> on_;
   BackgroundTask<Image8> making_;
-  std::string made_;  // that is made now
+  Key made_;  // that is made now
 };
 
 }  // namespace mirrorball

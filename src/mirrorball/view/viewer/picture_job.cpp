@@ -1,5 +1,6 @@
 #include "mirrorball/view/viewer/picture_job.h"
 
+#include <functional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -8,7 +9,6 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/numbered_paths.h"
-#include "mirrorball/environment/file/load.h"
 #include "mirrorball/render/frame/animation_frames.h"
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/frame/turntable.h"
@@ -19,6 +19,7 @@
 #include "mirrorball/trace/path_tracer.h"
 #include "mirrorball/view/control/gesture.h"
 #include "mirrorball/view/map/map_picture.h"
+#include "mirrorball/view/viewer/map_loading.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
@@ -31,6 +32,14 @@ Result<void> checkPath(const Workspace& workspace, const PictureRequest& request
   if (frame.background == BackgroundKind::transparent && extension != "png" && extension != "exr")
     return fail(ErrorCode::usage, request.path + ": ." + extension + " has no transparency; write .png or .exr");
   return {};
+}
+
+/// What loads a map, be it a photograph.
+std::function<Result<LoadedEnvironment>(const ProgressFunction&)> loaderOf(AskedMap source) {
+  return [source = std::move(source)](const ProgressFunction& progress) -> Result<LoadedEnvironment> {
+    MIRRORBALL_TRY(map, loadMap(source, {}, progress));
+    return std::move(map.loaded);
+  };
 }
 
 /// What is loaded for it.
@@ -51,6 +60,7 @@ Result<RenderInputNames> namesOf(const Workspace& workspace, const PictureReques
                          .materials = std::move(materials),
                          .frame = std::move(frame),
                          .environment = mapOf(workspace, request.side),
+                         .load_environment = loaderOf(askedMap(workspace, request.side)),
                          .cache = cache};
   if (isTraced(workspace, request.side)) return names;
   names.wishes = TechniqueWishes{.quality = quality};
@@ -97,10 +107,11 @@ Result<void> drawMap(const Workspace& workspace, const PictureRequest& request, 
   if (request.frames > 0 || storesLinearLight(request.path))
     return fail(ErrorCode::usage, request.path + ": the map alone is one picture, as .png or .jpg");
   MIRRORBALL_TRY(settings, mapViewOf(workspace));
-  MIRRORBALL_TRY(loaded, loadEnvironment(mapOf(workspace, request.side), {.keep_bad = true}, progress));
-  MIRRORBALL_TRY(map, prepareMap(std::move(loaded.environment), cache, progress));
-  MapViewer viewer(std::move(map));
-  MIRRORBALL_TRY(picture, viewer.picture(settings, mapCanvas(request.size_px), progress));
+  MIRRORBALL_TRY(viewed, viewedMap(askedMap(workspace, request.side), cache, progress));
+  MapCanvas canvas = mapCanvas(request.size_px);
+  if (viewed.ball) canvas.photograph_px = viewed.ball->size_px;
+  MapViewer viewer(std::move(viewed.map));
+  MIRRORBALL_TRY(picture, viewer.picture(settings, canvas, progress));
   return savePicture(request.path, picture);
 }
 

@@ -4,19 +4,12 @@
 #include <iterator>
 #include <utility>
 
-#include "mirrorball/environment/file/load.h"
 #include "mirrorball/view/inspect/map_marks.h"
 #include "mirrorball/view/map/map_facts.h"
 #include "mirrorball/view/viewer/told.h"
 
 namespace mirrorball {
 namespace {
-
-Result<PreparedMap> loadedMap(const std::string& name, const std::optional<CacheFolder>& cache,
-                              const ProgressFunction& progress) {
-  MIRRORBALL_TRY(loaded, loadEnvironment(name, {.keep_bad = true}, progress));
-  return prepareMap(std::move(loaded.environment), cache, progress);
-}
 
 void addRows(const std::vector<MapFact>& facts, std::vector<InspectionRow>& rows) {
   for (const MapFact& fact : facts) rows.push_back({std::string(fact.name), fact.value, std::string(fact.unit)});
@@ -42,9 +35,9 @@ constexpr int kSmallHeight_px = 120;
 
 ShownMap::ShownMap(const Device& device) : on_(new OnDevice{device}) {}
 
-void ShownMap::follow(const std::string& name, const std::optional<CacheFolder>& cache) {
-  loading_.askFor(name, [cache](const std::string& asked, const ProgressFunction& progress) {
-    return loadedMap(asked, cache, progress);
+void ShownMap::follow(const AskedMap& map, const std::optional<CacheFolder>& cache) {
+  loading_.askFor(map, [cache](const AskedMap& asked, const ProgressFunction& progress) {
+    return viewedMap(asked, cache, progress);
   });
   auto ready = loading_.take();
   if (!ready) return;
@@ -52,7 +45,10 @@ void ShownMap::follow(const std::string& name, const std::optional<CacheFolder>&
   drawing_.cancel();
   begun_.reset();
   small_display_.reset();
-  maker_ = std::make_shared<Maker>(std::move(*ready));
+  maker_ = std::make_shared<Maker>(std::move(ready->map));
+  ball_ = std::move(ready->ball);
+  asked_ = loading_.asked();
+  remark_ = std::move(ready->remark);
 }
 
 Result<bool> ShownMap::draw(const MapViewSettings& settings, const MapCanvas& canvas) {
@@ -85,8 +81,8 @@ Result<void> ShownMap::keep(Image8 picture) {
   return {};
 }
 
-bool ShownMap::isDone(const std::string& name, const MapViewSettings& settings, const MapCanvas& canvas) const {
-  if (!loading_.isAskedFor(name) || loading_.isRunning()) return false;
+bool ShownMap::isDone(const AskedMap& map, const MapViewSettings& settings, const MapCanvas& canvas) const {
+  if (!loading_.isAskedFor(map) || loading_.isRunning()) return false;
   return !maker_ || (begun_ == settings && begun_canvas_ == canvas && !drawing_.isRunning());
 }
 

@@ -25,7 +25,7 @@ class ShownMap {
   explicit ShownMap(const Device& device);
 
   /// Begins to load a map, and takes what was loaded.
-  void follow(const std::string& name, const std::optional<CacheFolder>& cache);
+  void follow(const AskedMap& map, const std::optional<CacheFolder>& cache);
   /// Loads it again if a file of it has changed, when it is next asked for.
   void askDisk() {
     if (watch_.hasChanged()) loading_.forget();
@@ -36,7 +36,7 @@ class ShownMap {
   /// returns  whether there is another picture than before
   /// errors   no_gl; all else is told by problem()
   Result<bool> draw(const MapViewSettings& settings, const MapCanvas& canvas);
-  bool isDone(const std::string& name, const MapViewSettings& settings, const MapCanvas& canvas) const;
+  bool isDone(const AskedMap& map, const MapViewSettings& settings, const MapCanvas& canvas) const;
 
   /// The last one; null: there is none.
   const gl::Framebuffer* picture() const { return on_->picture ? &*on_->picture : nullptr; }
@@ -50,7 +50,14 @@ class ShownMap {
   Result<void> makeSmall(const Display& display);
   std::vector<MarkedPicture> marked(glm::vec3 direction, std::span<const glm::vec3> outline, glm::vec3 color) const;
 
-  const LoadingByName<PreparedMap>& loading() const { return loading_; }
+  /// The photograph that the map which is there was unwrapped from; null: from none.
+  const PhotographedBall* ball() const { return ball_ ? &*ball_ : nullptr; }
+  /// What that map was asked for by.
+  const AskedMap& asked() const { return asked_; }
+  /// What is doubtful about it: LoadedMap's.
+  const std::string& remark() const { return remark_; }
+
+  const LoadingByName<ViewedMap, AskedMap>& loading() const { return loading_; }
   bool isDrawing() const { return drawing_.isRunning(); }
   const std::string& problem() const { return loading_.problem().empty() ? problem_ : loading_.problem(); }
 
@@ -76,7 +83,7 @@ class ShownMap {
     std::array<Small, 3> small = {};
   };
   std::unique_ptr<OnDevice, EndOnDevice> on_;
-  LoadingByName<PreparedMap> loading_;
+  LoadingByName<ViewedMap, AskedMap> loading_;
   FileWatch watch_;
   std::shared_ptr<Maker> maker_;
   BackgroundTask<Image8> drawing_;
@@ -84,6 +91,9 @@ class ShownMap {
   MapCanvas begun_canvas_;
   std::optional<Display> small_display_;
   std::string problem_;
+  std::optional<PhotographedBall> ball_;
+  AskedMap asked_;
+  std::string remark_;
 };
 
 }  // namespace mirrorball

@@ -41,7 +41,8 @@ ShownPicture Viewer::State::shown() const {
   return {.camera = placedCamera(stage.scene(), stage.bounds(), frame.camera, aspect),
           .bounds = player.boundsOr(stage.bounds()),
           .size_px = size_px,
-          .env_rotation_deg = frame.env_rotation_deg};
+          .env_rotation_deg = frame.env_rotation_deg,
+          .ball = shownBall()};
 }
 
 void Viewer::State::apply(std::optional<Change> change) {
@@ -92,8 +93,23 @@ Result<void> Viewer::State::follow() {
   if (model.follow(now(), options.inside_only))
     for (DrawnSide& side : drawn) side.forgetTimes();
   const bool has_other_map = isComparing() && mapOf(now(), 1) != mapOf(now(), 0);
-  MIRRORBALL_TRY_VOID(stages[0]->follow(model, mapOf(now(), 0), options.cache));
-  return has_other_map ? stages[1]->follow(model, mapOf(now(), 1), options.cache) : Result<void>();
+  const auto lit = [&](std::size_t side) {
+    LitStage& stage = *stages[side];
+    return stage.follow(model, restingMap(side, stage.loading().asked()), options.cache);
+  };
+  MIRRORBALL_TRY_VOID(lit(0));
+  return has_other_map ? lit(1) : Result<void>();
+}
+
+AskedMap Viewer::State::restingMap(std::size_t side, const AskedMap& asked) const {
+  AskedMap source = askedMap(now(), side);
+  const bool may_move = source.name == asked.name && source.photo && asked.photo;
+  return may_move && since_photos_changed_s < kRest_s ? asked : source;
+}
+
+void Viewer::State::watchPhotos(double seconds) {
+  since_photos_changed_s = photos_before == now().photos ? since_photos_changed_s + std::max(seconds, 0.0) : 0.0;
+  photos_before = now().photos;
 }
 
 void Viewer::State::askDisk(double seconds) {
@@ -115,7 +131,7 @@ bool Viewer::State::isUpToDate() const {
   if (!model.isUpToDate(now())) return false;
   const std::vector<std::size_t> sides = wantedSides();
   return std::all_of(sides.begin(), sides.end(),
-                     [&](std::size_t side) { return stageOf(side).isUpToDate(model, mapOf(now(), side)); });
+                     [&](std::size_t side) { return stageOf(side).isUpToDate(model, askedMap(now(), side)); });
 }
 
 Viewer::Viewer(const Device& device, Workspace start, glm::ivec2 size_px, ViewerOptions options)
@@ -152,9 +168,11 @@ Result<bool> Viewer::advance(double seconds) {
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
   state.play(seconds);
   state.askDisk(seconds);
+  state.watchPhotos(seconds);
   MIRRORBALL_TRY(is_other_thumbnail, state.thumbnails.follow(state.now()));
   if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
-  if (state.needsMap()) state.map.follow(mapOf(state.now(), editedSide(state.now())), state.options.cache);
+  if (state.needsMap())
+    state.map.follow(state.restingMap(editedSide(state.now()), state.map.loading().asked()), state.options.cache);
   const auto drawn = state.now().shows_map ? state.advanceMap() : state.advanceModel();
   return is_other_thumbnail && drawn ? Result<bool>(true) : drawn;
 }
@@ -193,7 +211,9 @@ History& Viewer::history() { return state_->history; }
 
 ViewerStatus Viewer::status() const {
   const State& state = *state_;
-  ViewerStatus status{.animation = animationStatus(state.now(), state.model.rest()), .problem = state.problem()};
+  ViewerStatus status{.animation = animationStatus(state.now(), state.model.rest()),
+                      .remark = state.remark(),
+                      .problem = state.problem()};
   for (const std::size_t side : state.isComparing() ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0})
     status.sides.push_back(state.statusOf(side));
   if (state.isComparing()) status.errors = state.compared.errors();

@@ -197,8 +197,17 @@ void Viewer::State::tellLoading(ViewerStatus& status) const {
   if (compared.isRunning()) tell("the difference of both halves", 0.0);
 }
 
+const std::string& Viewer::State::remark() const {
+  if (now().shows_map) return map.remark();
+  const std::vector<std::size_t> sides = wantedSides();
+  const auto doubted =
+      std::find_if(sides.begin(), sides.end(), [&](std::size_t side) { return !stageOf(side).remark().empty(); });
+  return stageOf(doubted == sides.end() ? sides.front() : *doubted).remark();
+}
+
 const std::string& Viewer::State::problem() const {
   if (needsMap() && !map.problem().empty()) return map.problem();
+  if (now().shows_map) return problem_of_picking;
   if (now().inspects && !inspector.problem().empty()) return inspector.problem();
   if (!model.problem().empty()) return model.problem();
   for (const std::size_t side : wantedSides())

@@ -11,6 +11,7 @@
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/view/control/commands.h"
+#include "mirrorball/view/viewer/photograph_testing.h"
 #include "mirrorball/view/viewer/viewer_testing.h"
 
 namespace mirrorball {
@@ -18,7 +19,7 @@ namespace {
 
 using testing::finish;
 
-constexpr glm::ivec2 kTiny{24, 16};
+constexpr glm::ivec2 kTiny{48, 32};
 
 /// What hands may do next, at random.
 class RandomHands {
@@ -57,7 +58,7 @@ class RandomHands {
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
  private:
-  glm::vec2 place() { return {float(below(60)) - 10.0f, float(below(40)) - 10.0f}; }
+  glm::vec2 place() { return {float(below(70)) - 10.0f, float(below(50)) - 10.0f}; }
   Modifiers held() { return {.control = below(4) == 0, .shift = below(4) == 0, .alt = below(20) == 0}; }
   std::string key() { return std::string(1, static_cast<char>('A' + below(26))); }
 
@@ -67,7 +68,9 @@ class RandomHands {
 Workspace ballAndMaps() {
   Workspace workspace;
   workspace.model = "sphere";
-  workspace.maps = {"white", "uv"};
+  const std::string photograph = testing::photographOf(testing::ballBeforeWall(), "events_ball.hdr");
+  workspace.maps = {"white", "uv", photograph};
+  workspace.photos[photograph] = {};
   workspace.frame = {{"quality", {"draft"}}, {"samples", {"1"}}};
   return workspace;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,12 @@ struct Viewer::State {
 
   // The place under the pointer (viewer_pointer.cpp).
   bool needsMap() const { return now().shows_map || now().inspects; }
+  /// Of the map alone.
+  MapCanvas canvas() const;
+  /// The ball in the photograph beside the map, as the workspace has it; nothing: none is shown.
+  std::optional<ShownBall> shownBall() const;
+  /// Where the map shows what the ball reflects under the pointer.
+  std::vector<glm::vec2> seenInMap() const;
   Result<bool> advanceMap();
   Result<void> advanceInspection();
   bool isMapDone() const;
@@ -63,6 +70,12 @@ struct Viewer::State {
 
   // What is loaded.
   Result<void> follow();
+  /// The map of a half as it is to be loaded now: what is said of a photograph may still move under a hand, and is
+  /// taken up once it rests.
+  ///
+  /// asked   for what was asked last
+  AskedMap restingMap(std::size_t side, const AskedMap& asked) const;
+  void watchPhotos(double seconds);
   /// Loads again what has changed on the disk, which it asks about once a second.
   void askDisk(double seconds);
   LitStage& stageOf(std::size_t side) const;
@@ -94,6 +107,7 @@ struct Viewer::State {
   SideStatus statusOf(std::size_t side) const;
   void tellLoading(ViewerStatus& status) const;
   const std::string& problem() const;
+  const std::string& remark() const;
 
   Device device;
   ViewerOptions options;
@@ -102,6 +116,8 @@ struct Viewer::State {
   glm::ivec2 size_px;
   double since_moved_s;
   double since_asked_disk_s = 0.0;
+  double since_photos_changed_s = 0.0;  ///< Workspace::photos
+  std::map<std::string, GivenTexts> photos_before = {};
   bool has_just_moved = false;               ///< since the last `advance`
   std::optional<glm::vec2> clicked_px = {};  ///< where what is there is still to be found
   ShownModel model = {};

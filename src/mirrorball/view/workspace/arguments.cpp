@@ -14,7 +14,9 @@
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/photo/likely_photograph.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/view/workspace/asked_map.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
@@ -120,6 +122,12 @@ Result<Said> saidNext(Words& words) {
   return Said{.word = word, .option = known, .text = std::move(text)};
 }
 
+/// Where a command writes the panorama of a photograph: "ball.jpg" becomes "ball_unwrapped.exr".
+std::string unwrappedName(const std::string& photograph) {
+  const std::filesystem::path path(photograph);
+  return (path.parent_path() / (path.stem().string() + "_unwrapped.exr")).string();
+}
+
 /// A word as a shell reads it.
 std::string quotedForShell(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,=%+@";
@@ -132,6 +140,21 @@ std::string quotedForShell(const std::string& word) {
 void addOptions(const GivenTexts& given, std::vector<std::string>& words) {
   for (const auto& [name, texts] : given)
     for (const std::string& text : texts) words.push_back("--" + name + "=" + text);
+}
+
+/// The words after `mirrorball photo` that unwrap a photograph.
+std::vector<std::string> photoArguments(const AskedMap& map) {
+  std::vector<std::string> words{map.name};
+  addOptions(*map.photo, words);
+  words.insert(words.end(), {"-o", unwrappedName(map.name)});
+  return words;
+}
+
+/// A line for a shell.
+std::string lineOf(const std::string& command, const std::vector<std::string>& words) {
+  std::string line = "mirrorball " + command;
+  for (const std::string& word : words) line += " " + quotedForShell(word);
+  return line;
 }
 
 }  // namespace
@@ -172,7 +195,8 @@ Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std
   if (!workspace.parameters.empty())
     return fail(ErrorCode::unsupported,
                 "single materials were changed, which no option of render says; save a workspace instead");
-  std::vector<std::string> words{workspace.model, "-e", mapOf(workspace, side)};
+  const AskedMap map = askedMap(workspace, side);
+  std::vector<std::string> words{workspace.model, "-e", map.photo ? unwrappedName(map.name) : map.name};
   if (isTraced(workspace, side)) words.emplace_back("--reference");
   addOptions(workspace.stance, words);
   addOptions(givenFrame(workspace, side), words);
@@ -182,9 +206,9 @@ Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std
 
 Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t side) {
   MIRRORBALL_TRY(words, renderArguments(workspace, side));
-  std::string line = "mirrorball render";
-  for (const std::string& word : words) line += " " + quotedForShell(word);
-  return line;
+  std::string line;
+  if (const AskedMap map = askedMap(workspace, side); map.photo) line = lineOf("photo", photoArguments(map)) + " && ";
+  return line + lineOf("render", words);
 }
 
 Result<Workspace> withFile(Workspace workspace, const std::string& path) {
@@ -197,7 +221,13 @@ Result<Workspace> withFile(Workspace workspace, const std::string& path) {
   }
   if (modelFormatOf(path)) return withModel(std::move(workspace), path);
   MIRRORBALL_TRY(begin, beginOf(path));
-  if (isImage(begin) || isImageSet(begin)) return withMap(std::move(workspace), path);
+  if (isImage(begin) || isImageSet(begin)) {
+    // What cannot be read is told when it is loaded.
+    const bool is_photograph = isImage(begin) && !cubeFilesOf(path, {}) && isLikelyPhotograph(path).value_or(false);
+    workspace = withMap(std::move(workspace), path);
+    if (is_photograph) workspace.photos.try_emplace(path);
+    return workspace;
+  }
   if (!begin.empty() && begin.front() == '{') return loadWorkspace(path);
   return fail(ErrorCode::unsupported,
               path + ": is no model (" + modelExtensions() + "), no picture of an environment and no workspace");

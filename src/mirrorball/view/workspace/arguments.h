@@ -15,17 +15,19 @@ namespace mirrorball {
 /// errors   usage; as withFile's
 Result<Workspace> workspaceOf(std::span<const std::string> arguments);
 
-/// The words after `mirrorball render` that draw a half of it; workspaceOf() them shows the same.
+/// The words after `mirrorball render` that draw a half of it; workspaceOf() them shows the same. Of a photograph they
+/// name the panorama that the first command of renderCommandLine() writes.
 ///
 /// errors   unsupported: single materials were changed, which no option says
 Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side);
 
-/// The same as a line for a shell, from `mirrorball render` on.
+/// The same as a line for a shell, from `mirrorball render` on; if the map is a photograph, from `mirrorball photo` on.
 ///
 /// errors   as renderArguments'
 Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t side);
 
-/// Opens a file as what it is: a model, a panorama or another map of all directions, or a workspace.
+/// Opens a file as what it is: a model, a panorama or another map of all directions, a photograph of a mirror ball
+/// (isLikelyPhotograph), or a workspace.
 ///
 /// path     or the name of a built-in model or environment, or a folder that holds the six faces of a cube
 /// errors   not_found; unsupported: it is none of these; as loadWorkspace's

@@ -7,6 +7,7 @@
 
 #include "mirrorball/view/control/camera_control.h"
 #include "mirrorball/view/panel/panel.h"
+#include "mirrorball/view/workspace/asked_map.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
@@ -87,6 +88,7 @@ class RandomUser {
         return history.change("Next map", withMapStepped(now, int(below(5)) - 2));
       case 4:
         if (below(4) == 0) return history.change("Open", withModel(now, "model" + std::to_string(below(3))));
+        if (below(3) == 0) return history.change("Photograph", photographed(now));
         return history.change("Open", withMap(now, "map" + std::to_string(below(6)) + ".hdr"));
       case 5:
         return history.change("Turn", moved(now), true);
@@ -128,6 +130,12 @@ class RandomUser {
       default:
         return withCamera(now, alongAxis(camera, static_cast<AxisView>(below(6))));
     }
+  }
+
+  /// Takes the map for a photograph or a map, or moves the circle in it.
+  Workspace photographed(const Workspace& now) {
+    if (below(2) == 0) return withBallCircle(now, {{between(0, 900), between(0, 700)}, between(3, 300)});
+    return withPhotograph(now, below(3) != 0);
   }
 
   Workspace comparing(Workspace now) {
@@ -202,6 +210,7 @@ TEST(History, AnythingThatIsDoneCanBeUndoneToTheStart) {
     ASSERT_EQ(*read, history.now()) << writtenWorkspace(history.now());
   }
   EXPECT_GT(states, std::size_t(kEvents) / 2) << "too little was done";
+  EXPECT_FALSE(history.now().photos.empty());
   const Workspace last = history.now();
   std::size_t undone = 0;
   while (history.undo()) ++undone;

@@ -65,11 +65,12 @@ Result<ViewRequest> viewRequestOf(std::span<const std::string> arguments) {
 std::string viewHelp() {
   std::string help =
       "usage: mirrorball view [FILE…] [OPTIONS]\n\n"
-      "Opens a window on a model in an environment. A FILE is a model, a panorama or another map of all directions, or "
-      "a\n"
-      "workspace; -e MAP shows another environment. All options of `mirrorball render` for the picture, the material "
-      "and\n"
-      "the quality are taken, and --reference compares with the truth. The key ? shows what hands and keys do.\n\n";
+      "Opens a window on a model in an environment. A FILE is a model, a panorama or another map of all directions, a\n"
+      "photograph of a mirror ball, or a workspace; -e MAP shows another environment. All options of `mirrorball "
+      "render`\n"
+      "for the picture, the material and the quality are taken, and --reference compares with the truth. The key ? "
+      "shows\n"
+      "what hands and keys do.\n\n";
   const WindowOptions defaults;
   for (const Option<WindowOptions>& option : kWindowOptions) {
     const std::string_view value = option.text.choices.empty() ? option.text.value : option.text.choices;

@@ -10,6 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/render/settings/frame_checks.h"
 #include "mirrorball/view/map/map_hand.h"
+#include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
 namespace {
@@ -69,12 +70,16 @@ GivenTexts& editedFrame(Workspace& workspace, std::string_view name) {
   return isOfBoth(workspace, name) ? workspace.frame : workspace.sides[editedSide(workspace)].frame;
 }
 
-/// What the panels change; null: no material is selected.
+/// What the panels change; null: no material is selected, or the map is no photograph.
 GivenTexts* editedTexts(Workspace& workspace, OptionTable table, std::string_view name) {
   if (table == OptionTable::stance) return &workspace.stance;
   if (table == OptionTable::frame) return &editedFrame(workspace, name);
   if (table == OptionTable::material) return &workspace.materials;
   if (table == OptionTable::map_view) return &workspace.map_view;
+  if (table == OptionTable::photo) {
+    const auto found = workspace.photos.find(mapOf(workspace, editedSide(workspace)));
+    return found == workspace.photos.end() ? nullptr : &found->second;
+  }
   return workspace.selected_material ? &workspace.parameters[*workspace.selected_material] : nullptr;
 }
 
@@ -166,13 +171,20 @@ Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string
   if (table == OptionTable::frame) return withFrameOption(std::move(workspace), name, text);
   if (table == OptionTable::material) return withMaterialOption(std::move(workspace), name, text);
   GivenTexts* given = editedTexts(workspace, table, name);
-  if (!given) return fail(ErrorCode::usage, std::string(name) + ": no material is selected");
-  if (table == OptionTable::stance)
+  if (!given)
+    return fail(ErrorCode::usage,
+                std::string(name) + (table == OptionTable::photo ? ": the map is no photograph of a mirror ball"
+                                                                 : ": no material is selected"));
+  if (table == OptionTable::photo) {
+    MIRRORBALL_TRY_VOID(give<BallPhotoSettings>(ballPhotoOptions(), name, text, {}, *given));
+    MIRRORBALL_TRY_VOID(ballPhotoOf(*given));
+  } else if (table == OptionTable::stance) {
     MIRRORBALL_TRY_VOID(give<ModelStance>(stanceOptions(), name, text, {}, *given));
-  else if (table == OptionTable::map_view)
+  } else if (table == OptionTable::map_view) {
     MIRRORBALL_TRY_VOID(give<MapViewSettings>(mapViewOptions(), name, text, {}, *given));
-  else
+  } else {
     MIRRORBALL_TRY_VOID(give<Material>(materialParameters(), name, text, {}, *given));
+  }
   return workspace;
 }
 
@@ -203,6 +215,7 @@ Workspace withoutOptions(Workspace workspace) {
   workspace.materials.clear();
   workspace.parameters.clear();
   workspace.map_view.clear();
+  for (auto& [name, given] : workspace.photos) given.clear();
   for (Side& side : workspace.sides) side.frame.clear();
   return workspace;
 }
@@ -253,6 +266,7 @@ Workspace withMap(Workspace workspace, std::string name) {
 }
 
 Workspace withOnlyMap(Workspace workspace, std::string name) {
+  std::erase_if(workspace.photos, [&](const auto& each) { return each.first != name; });
   workspace.maps = {std::move(name)};
   workspace.shown_map = 0;
   for (Side& side : workspace.sides) side.map.reset();

@@ -49,6 +49,8 @@ struct Workspace {
   std::string model = "showcase";              ///< loadModel's
   std::vector<std::string> maps = {"studio"};  ///< loadEnvironment's, to step through; at least one
   std::size_t shown_map = 0;
+  /// Those of `maps` that are photographs of a mirror ball, by name: of ballPhotoOptions().
+  std::map<std::string, GivenTexts> photos = {};
   GivenTexts stance = {};                             ///< of stanceOptions(): how the model stands
   bool plays = false;                                 ///< its animation goes on
   GivenTexts frame = {};                              ///< of frameOptions() and qualityOptions()
@@ -73,6 +75,7 @@ enum class OptionTable {
   material,   ///< materialOptions(): of the whole model
   parameter,  ///< materialParameters(): of the material that is selected
   map_view,   ///< mapViewOptions()
+  photo,      ///< ballPhotoOptions(): of the photograph of the half that is edited
 };
 
 /// Settings of the table that hold all of some texts.
@@ -125,7 +128,7 @@ Result<void> changeParameters(Scene& scene, const Workspace& workspace);
 /// repeated gets one text more.
 ///
 /// text     as a command line has it
-/// errors   usage; also: no material is selected
+/// errors   usage; also: no material is selected, or the map is no photograph
 Result<Workspace> withOption(Workspace workspace, OptionTable table, std::string_view name, std::string_view text);
 /// Leaves an option to its default, in a comparison to what both halves have; one that is not given stays so.
 Workspace withoutOption(Workspace workspace, OptionTable table, std::string_view name);
@@ -133,7 +136,7 @@ Workspace withoutOption(Workspace workspace, OptionTable table, std::string_view
 ///
 /// index    of its texts (givenFrame); one that there is not changes nothing
 Workspace withoutText(Workspace workspace, OptionTable table, std::string_view name, std::size_t index);
-/// Leaves all options to their defaults, in both halves and of all materials; only the camera stays.
+/// Leaves all options to their defaults, in both halves, of all materials and photographs; only the camera stays.
 Workspace withoutOptions(Workspace workspace);
 
 /// Shows another model: how the one before stood, what was said of its single materials, and where its camera stood, is

@@ -12,7 +12,9 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/json_reader.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
 namespace {
@@ -81,6 +83,7 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
     for (const JsonReader& map : json["maps"].elements()) workspace.maps.push_back(map.text(""));
     if (workspace.maps.empty() || workspace.maps.size() > kMostTexts) json["maps"].refuse("has none, or too many");
   }
+  for (const auto& [name, given] : json["photos"].members()) workspace.photos[name] = textsOf(given);
   workspace.shown_map = json["shown_map"].size(0);
   workspace.stance = textsOf(json["stance"]);
   workspace.plays = json["plays"].flag(false);
@@ -133,6 +136,11 @@ Result<void> checkWorkspace(const Workspace& workspace) {
   MIRRORBALL_TRY_VOID(stanceOf(workspace.stance));
   MIRRORBALL_TRY_VOID(materialsOf(workspace.materials));
   MIRRORBALL_TRY_VOID(mapViewOf(workspace));
+  for (const auto& [name, given] : workspace.photos) {
+    if (!contains(workspace.maps, name))
+      return fail(ErrorCode::bad_file, "photos: " + excerpt(name) + " is none of its maps");
+    MIRRORBALL_TRY_VOID(ballPhotoOf(given));
+  }
   Material tried;
   for (const auto& [material, given] : workspace.parameters) MIRRORBALL_TRY_VOID(setParameters(given, tried));
   return {};
@@ -147,6 +155,7 @@ std::string writtenWorkspace(const Workspace& workspace) {
             {"shown_map", workspace.shown_map}};
   if (!workspace.stance.empty()) json["stance"] = jsonOf(workspace.stance);
   if (workspace.plays) json["plays"] = true;
+  for (const auto& [name, given] : workspace.photos) json["photos"][name] = jsonOf(given);
   if (!workspace.frame.empty()) json["frame"] = jsonOf(workspace.frame);
   if (!workspace.materials.empty()) json["materials"] = jsonOf(workspace.materials);
   for (const auto& [material, given] : workspace.parameters)

@@ -10,6 +10,8 @@ using ::testing::HasSubstr;
 
 Workspace something() {
   Workspace workspace{.model = "h\"elm\n.glb", .maps = {"a.hdr", "β.exr"}, .shown_map = 1};
+  workspace.photos["a.hdr"] = {{"circle", {"1,2,3"}}, {"response", {"gamma"}}};
+  workspace.photos["β.exr"] = {};
   workspace.frame = {{"fov", {"40.5"}}, {"light", {"1,2,3,4,5,6", "0,0,1,1,1,1"}}};
   workspace.materials = {{"set", {"metallic=1", "perceptual_roughness=0.25"}}};
   workspace.parameters[3] = {{"metallic", {"0.5"}}};
@@ -56,6 +58,11 @@ TEST(WorkspaceFile, RefusesOthersInOneLine) {
            R"({"mirrorball_workspace": 1, "parameters": {"0": {"metallic": "9"}}})",
            R"({"mirrorball_workspace": 1, "sides": [{"map": 4}]})",
            R"({"mirrorball_workspace": 1, "sides": [{"frame": {"fov": "40"}}]})",
+           R"({"mirrorball_workspace": 1, "photos": {"ball.jpg": {}}})",
+           R"({"mirrorball_workspace": 1, "photos": ["studio"]})",
+           R"({"mirrorball_workspace": 1, "photos": {"studio": {"circle": "1,2"}}})",
+           R"({"mirrorball_workspace": 1, "photos": {"studio": {"no-such": "1"}}})",
+           R"({"mirrorball_workspace": 1, "photos": {"studio": {"distance": "5", "fov": "40"}}})",
            R"({"mirrorball_workspace": 1, "compare_by": "sword"})",
            R"({"mirrorball_workspace": 1, "edited_side": 2})",
        }) {

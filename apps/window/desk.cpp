@@ -32,7 +32,7 @@ void drawTwoColumns(std::string_view left, std::string_view right) {
 }
 
 void drawKeys() {
-  if (!ImGui::BeginTable("keys", 2)) return;
+  if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
   for (const GestureText& text : gestureTexts()) drawTwoColumns(text.hand, text.does);
   for (const ViewerCommand& command : viewerCommands())
     drawTwoColumns(std::string(command.key) + (command.other_key.empty() ? "" : ", ") + std::string(command.other_key),
@@ -49,7 +49,7 @@ void drawKeys() {
 }  // namespace
 
 Desk::Desk(GLFWwindow* window, const WindowOptions& options)
-    : window_(window), recent_(RecentFiles::ofUser()), theme_(options.theme) {
+    : window_(window), recent_(RecentFiles::ofUser()), theme_(options.theme), search_(options.find) {
   followMonitor();
 }
 
@@ -60,7 +60,10 @@ void Desk::useTheme(Theme theme) {
     ImGui::StyleColorsLight();
   else
     ImGui::StyleColorsDark();
-  ImGui::GetStyle().ScaleAllSizes(scale_);
+  ImGuiStyle& style = ImGui::GetStyle();
+  if (theme == Theme::light) style.FrameBorderSize = 1.0f;  // else fields are white on white
+  for (const ImGuiCol background : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) style.Colors[background].w = 1.0f;
+  style.ScaleAllSizes(scale_);
 }
 
 void Desk::followMonitor() {
@@ -116,7 +119,6 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   drawMenus(viewer);
-  drawDialog(viewer, picture_px);
   const UnderPointer under = viewer.underPointer();
   drawOverPicture(under, {0.0f, static_cast<float>(menuHeight())});
   const ImGuiViewport* whole = ImGui::GetMainViewport();
@@ -128,6 +130,7 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   drawUnderPointer(under);
   drawPanels(viewer, search_, std::exchange(wants_search_, false));
   ImGui::End();
+  drawDialog(viewer, picture_px);  // last: Dear ImGui lets no window appear behind one
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -246,11 +249,12 @@ void drawBar(const std::string& what, double share) {
 
 void Desk::drawStatus(Viewer& viewer) const {
   const ViewerStatus status = viewer.status();
+  const float top = ImGui::GetCursorPosY();
   for (std::size_t i = 0; i < status.sides.size(); ++i) {
     if (status.sides.size() > 1 &&
         ImGui::RadioButton(i == 0 ? "first half" : "second half", editedSide(viewer.workspace()) == i))
       viewer.history().change("Edit the other half", withEditedSide(viewer.workspace(), i));
-    drawSide(status.sides[i]);
+    if (!viewer.workspace().shows_map) drawSide(status.sides[i]);
   }
   for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());
   if (!status.loading.empty()) drawBar("loading " + status.loading, status.loaded);
@@ -261,7 +265,7 @@ void Desk::drawStatus(Viewer& viewer) const {
   if (!status.saved_last.empty()) drawLine(status.saved_last);
   if (!status.problem.empty()) drawLine(status.problem);
   if (!told_.empty()) drawLine(told_);
-  ImGui::Separator();
+  if (ImGui::GetCursorPosY() > top) ImGui::Separator();
 }
 
 }  // namespace mirrorball::window

@@ -1,6 +1,7 @@
 #include "window/desk.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -80,9 +81,9 @@ void Desk::followMonitor() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
 }
 
-int Desk::panelWidth() const { return static_cast<int>(kPanelWidth * scale_); }
-int Desk::menuHeight() const {
-  return static_cast<int>(kLetterHeight * scale_ + 2.0f * ImGui::GetStyle().FramePadding.y);
+glm::ivec2 Desk::spaceBesidePicture(float scale) {
+  const float padding = std::floor(ImGuiStyle().FramePadding.y * scale);  // as the style rounds it
+  return {static_cast<int>(kPanelWidth * scale), static_cast<int>(kLetterHeight * scale + 2.0f * padding)};
 }
 
 void Desk::open(Viewer& viewer, const std::vector<std::string>& paths) {

@@ -23,13 +23,17 @@ namespace {
 constexpr const char* kTitle = "Mirrorball";
 constexpr const char* kBusyTitle = "Mirrorball (working)";
 
-/// A window of any size, not seen yet, whose context is current.
-Result<OwnWindow> hiddenWindow() {
+/// A window around a picture, not seen yet, whose context is current.
+Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  OwnWindow window(glfwCreateWindow(640, 480, kBusyTitle, nullptr, nullptr));
+  // Its size is right from the beginning: a window manager takes its time to change it.
+  float scale = 1.0f, other = 1.0f;
+  if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &scale, &other);
+  const glm::ivec2 size_px = picture_px + Desk::spaceBesidePicture(scale);
+  OwnWindow window(glfwCreateWindow(size_px.x, size_px.y, kBusyTitle, nullptr, nullptr));
   if (!window)
     return fail(ErrorCode::no_gl, "the display has no OpenGL 4.3; `mirrorball render` makes pictures without one");
   glfwMakeContextCurrent(window.get());
@@ -71,15 +75,12 @@ Session::Session(OwnWindow window, Device device, const WindowOptions& options, 
 }
 
 Result<std::unique_ptr<Session>> Session::open(const WindowOptions& options, const History& start) {
-  MIRRORBALL_TRY(window, hiddenWindow());
+  MIRRORBALL_TRY(window, hiddenWindow(frameOf(start.now(), 0).value_or(FrameSettings()).size));
   MIRRORBALL_TRY(context, gl::Context::adoptCurrent());
   MIRRORBALL_TRY(device, Device::on(std::move(context)));
   GLFWwindow* const handle = window.get();
   glfwSwapInterval(options.waits_for_screen ? 1 : 0);
   std::unique_ptr<Session> session(new Session(std::move(window), std::move(device), options, start));
-  const glm::ivec2 picture_px = frameOf(start.now(), 0).value_or(FrameSettings()).size;
-  const glm::ivec2 size_px = picture_px + glm::ivec2(session->desk_.panelWidth(), session->desk_.menuHeight());
-  glfwSetWindowSize(handle, size_px.x, size_px.y);
   MIRRORBALL_TRY_VOID(session->pressKeys(options.keys));
   if (options.screenshot.empty())
     glfwShowWindow(handle);

@@ -91,8 +91,14 @@ Display::Display() {
   std::filesystem::remove(told);
   if (name_.size() < 2) return;
   ::setenv("DISPLAY", name_.c_str(), 1);
-  manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox"});
-  is_there_ = true;
+  // A window that asks to be seen while the manager begins may be forgotten.
+  const std::string ready = told + "_managed";
+  manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox", "--startup", "touch " + ready});
+  for (int tries = 0; tries < 500 && !is_there_; ++tries) {
+    sleepFor(0.02);
+    is_there_ = std::filesystem::exists(ready);
+  }
+  std::filesystem::remove(ready);
 }
 
 std::string Display::hand(const std::string& words) const { return outputOf("xdotool " + words + " 2>/dev/null"); }

@@ -16,6 +16,7 @@
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file.h"
 #include "window/display.h"
+#include "window/drag_source.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -35,6 +36,9 @@ class WindowTest : public ::testing::Test {
       ASSERT_TRUE(isInstalled(program)) << program << " is missing; ./test installs it";
     display_ = std::make_unique<Display>();
     ASSERT_TRUE(display_->isThere());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ + "/state");
+    ::setenv("XDG_STATE_HOME", (folder_ + "/state").c_str(), 1);
   }
 
   /// Opens a window, and waits until its picture is done.
@@ -67,11 +71,13 @@ class WindowTest : public ::testing::Test {
 
   /// The middle of the picture, which neither menus nor panels cover.
   using Picture = std::vector<std::uint8_t>;
-  Picture picture() const {
+  Picture picture() const { return columns(150, 1000); }
+  Picture panels() const { return columns(1300, 300); }
+  Picture columns(int left, int width) const {
     const Image8 all = display_->photograph();
     Picture part;
     for (int y = 150; y < 650 && y < all.height(); ++y)
-      part.insert(part.end(), all.texel(150, y), all.texel(150, y) + 3 * 1000);
+      part.insert(part.end(), all.texel(left, y), all.texel(left, y) + 3 * width);
     return part;
   }
 
@@ -94,6 +100,15 @@ class WindowTest : public ::testing::Test {
     return true;
   }
 
+  /// Drags files onto the window, and waits until its picture is done.
+  void drop(const std::vector<std::string>& paths) {
+    const std::string window = display_->hand("search --name ^Mirrorball");
+    ASSERT_EQ(dropFiles(display_->name(), std::stoul(window), paths), "");
+    wait(0.5);
+    settle();
+  }
+
+  std::string folder_ = ::testing::TempDir() + "mirrorball_window";
   std::string log_ = ::testing::TempDir() + "window.log";
   std::unique_ptr<Display> display_;
   std::unique_ptr<Process> view_;
@@ -152,6 +167,44 @@ TEST_F(WindowTest, ComparesWithTheTruthAtAKey) {
   display_->hand("key t");
   settle();
   EXPECT_EQ(picture(), drawn);
+}
+
+void writeText(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+TEST_F(WindowTest, ShowsFilesThatAreDropped) {
+  const std::string map = folder_ + "/map.hdr", model = folder_ + "/Drei Ecken, größer als 100%.obj";
+  Image light(16, 8, 3);
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 8; ++y) light.texel(x, y)[y < 4 ? 0 : 2] = 0.5f;
+  ASSERT_TRUE(writeImage(map, light));
+  writeText(model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  open({"sphere", "-e", "white", "--samples", "1", "--size", "700x500"});
+  drop({map});
+  drop({model});
+  const std::string rendered = folder_ + "/rendered.png";
+  Process render(
+      {MIRRORBALL_PROGRAM, "render", model, "-e", map, "--samples", "1", "--size", "700x500", "-o", rendered}, log_);
+  ASSERT_EQ(render.waitFor(60.0), 0) << textOf(log_);
+  EXPECT_TRUE(isOn(display_->photograph(), pictureFromLinear(readImage(rendered)->image, 3)));
+}
+
+TEST_F(WindowTest, ReadsNothingOutsideTheFolderOfADroppedModel) {
+  const std::string model = folder_ + "/inside/model.gltf";
+  std::filesystem::create_directories(folder_ + "/inside");
+  const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  writeText(folder_ + "/outside.bin", {reinterpret_cast<const char*>(corners.data()), 36});
+  writeText(model, R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+    "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "../outside.bin"}]})");
+  const std::vector<std::string> render{MIRRORBALL_PROGRAM, "render", model, "--size", "8", "-o", folder_ + "/any.png"};
+  ASSERT_EQ(Process(render, log_).waitFor(60.0), 0) << "where it is allowed, it is a model" << textOf(log_);
+  open({"sphere", "-e", "white", "--samples", "1"});
+  const Picture before = picture(), panels_before = panels();
+  drop({model});
+  EXPECT_EQ(picture(), before) << "it stays";
+  EXPECT_NE(panels(), panels_before) << "a line says why";
 }
 
 TEST_F(WindowTest, FollowsItsManager) {

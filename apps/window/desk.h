@@ -41,6 +41,9 @@ class Desk {
 
   void draw(Viewer& viewer, glm::ivec2 picture_px);
 
+  /// Says a line above the options, until there is another.
+  void tell(const std::string& line) { told_ = line; }
+
  private:
   enum class Dialog { none, open, save_workspace, save_picture, keys };
 

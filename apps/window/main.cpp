@@ -8,7 +8,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "mirrorball/view/workspace/recent_files.h"
 #include "mirrorball/view/workspace/view_request.h"
+#include "window/display_loss.h"
 #include "window/session.h"
 
 using namespace mirrorball;
@@ -25,14 +27,36 @@ int failed(const std::string& message) {
   return 1;
 }
 
+/// What has ended the window, and how to go on where it was.
+std::string withKept(const std::string& reason, const Workspace& workspace) {
+  const auto recent = RecentFiles::ofUser();
+  if (!recent) return reason;
+  const auto path = recent->keep(workspace);
+  return reason + (path ? "; to go on: mirrorball view " + *path : "; " + path.error().message);
+}
+
+/// Shows it until it is closed. A context that is lost gives way to another, unless it is lost at once.
 Result<void> view(const ViewRequest& request) {
+  constexpr double kSoon_s = 5.0;
   MIRRORBALL_TRY(session, window::Session::open(request.window, History(request.workspace)));
   if (!request.window.screenshot.empty()) return session->saveScreenshot(request.window.screenshot);
-  for (bool stays = true; stays;) {
-    MIRRORBALL_TRY(is_open, session->step());
-    stays = is_open;
+  const window::AtDisplayLoss at_loss([&session = session, start = request.workspace] {
+    failed(withKept("the connection to the display broke", session ? session->workspace() : start));
+  });
+  for (double begun_s = glfwGetTime();;) {
+    const auto is_open = session->step();
+    if (is_open && !*is_open) return {};
+    if (is_open) continue;
+    const std::string reason = is_open.error().message;
+    const Workspace workspace = session->workspace();
+    const auto lost = [&](const std::string& why) { return fail(ErrorCode::no_gl, withKept(why, workspace)); };
+    if (glfwGetTime() - begun_s < kSoon_s) return lost(reason);
+    auto another = window::Session::anew(std::move(session), request.window);
+    if (!another) return lost(another.error().message);
+    session = std::move(*another);
+    session->tell(reason);
+    begun_s = glfwGetTime();
   }
-  return {};
 }
 
 }  // namespace

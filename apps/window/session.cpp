@@ -25,6 +25,7 @@ constexpr const char* kBusyTitle = "Mirrorball (working)";
 
 /// A window around a picture, not seen yet, whose context is current.
 Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px) {
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where the driver has it
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -33,7 +34,7 @@ Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px) {
   float scale = 1.0f, other = 1.0f;
   if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &scale, &other);
   const glm::ivec2 size_px = picture_px + Desk::spaceBesidePicture(scale);
-  OwnWindow window(glfwCreateWindow(size_px.x, size_px.y, kBusyTitle, nullptr, nullptr));
+  OwnWindow window(glfwCreateWindow(size_px.x, size_px.y, kBusyTitle, nullptr, nullptr), glfwDestroyWindow);
   if (!window)
     return fail(ErrorCode::no_gl, "the display has no OpenGL 4.3; `mirrorball render` makes pictures without one");
   glfwMakeContextCurrent(window.get());
@@ -47,8 +48,6 @@ ViewerOptions viewerOptionsOf(const WindowOptions& options) {
 }
 
 }  // namespace
-
-void CloseWindow::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
 PanelLibrary::PanelLibrary(GLFWwindow* window) {
   ImGui::CreateContext();
@@ -75,17 +74,34 @@ Session::Session(OwnWindow window, Device device, const WindowOptions& options, 
 }
 
 Result<std::unique_ptr<Session>> Session::open(const WindowOptions& options, const History& start) {
-  MIRRORBALL_TRY(window, hiddenWindow(frameOf(start.now(), 0).value_or(FrameSettings()).size));
+  MIRRORBALL_TRY(session,
+                 openAt({.picture_px = frameOf(start.now(), 0).value_or(FrameSettings()).size}, options, start));
+  MIRRORBALL_TRY_VOID(session->pressKeys(options.keys));
+  if (!options.screenshot.empty() && options.pointer.size() == 2)
+    session->viewer_.handle(PointerMoved{{options.pointer[0], options.pointer[1]}});
+  return session;
+}
+
+Result<std::unique_ptr<Session>> Session::anew(std::unique_ptr<Session> lost, const WindowOptions& options) {
+  WindowPlace place{.corner = glm::ivec2(0), .picture_px = lost->pictureSize()};
+  glfwGetWindowPos(lost->window_.get(), &place.corner->x, &place.corner->y);
+  const History history = lost->viewer_.history();
+  // What is made in a context ends before there is another: names and places in memory are given again.
+  const OwnWindow still_seen = lost->window_;
+  lost.reset();
+  return openAt(place, options, history);
+}
+
+Result<std::unique_ptr<Session>> Session::openAt(const WindowPlace& place, const WindowOptions& options,
+                                                 const History& start) {
+  MIRRORBALL_TRY(window, hiddenWindow(place.picture_px));
   MIRRORBALL_TRY(context, gl::Context::adoptCurrent());
   MIRRORBALL_TRY(device, Device::on(std::move(context)));
   GLFWwindow* const handle = window.get();
   glfwSwapInterval(options.waits_for_screen ? 1 : 0);
   std::unique_ptr<Session> session(new Session(std::move(window), std::move(device), options, start));
-  MIRRORBALL_TRY_VOID(session->pressKeys(options.keys));
-  if (options.screenshot.empty())
-    glfwShowWindow(handle);
-  else if (options.pointer.size() == 2)
-    session->viewer_.handle(PointerMoved{{options.pointer[0], options.pointer[1]}});
+  if (place.corner) glfwSetWindowPos(handle, place.corner->x, place.corner->y);
+  if (options.screenshot.empty()) glfwShowWindow(handle);
   return session;
 }
 

@@ -73,15 +73,16 @@ bool isInstalled(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-Display::Display() {
+Display::Display(const std::string& options) {
   // The server chooses a number that is free, and tells it.
   const std::string told =
       std::filesystem::temp_directory_path() / ("mirrorball_display_" + std::to_string(::getpid()));
-  server_ =
-      std::make_unique<Process>(std::vector<std::string>{"sh", "-c",
-                                                         "exec Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 "
-                                                         "3>" +
-                                                             told});
+  server_ = std::make_unique<Process>(
+      std::vector<std::string>{"sh", "-c",
+                               "exec Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 " + options +
+                                   " "
+                                   "3>" +
+                                   told});
   for (int tries = 0; tries < 500 && name_.size() < 2; ++tries) {
     sleepFor(0.02);
     std::string number = outputOf("cat " + told + " 2>/dev/null");

@@ -69,6 +69,14 @@ class WindowTest : public ::testing::Test {
     EXPECT_GE(calm, kCalm) << "it never rests";
   }
 
+  /// Does something by which the picture becomes another one, and waits until that is done.
+  void change(const std::string& words) {
+    const Picture before = picture();
+    display_->hand(words);
+    for (int tries = 0; tries < 100 && picture() == before; ++tries) wait(0.1);
+    settle();
+  }
+
   /// The middle of the picture, which neither menus nor panels cover.
   using Picture = std::vector<std::uint8_t>;
   Picture picture() const { return columns(150, 1000); }
@@ -117,15 +125,12 @@ class WindowTest : public ::testing::Test {
 TEST_F(WindowTest, AHandTurnsTheModelAndKeysUndoIt) {
   open({"teapot", "-e", "studio", "--material", "gold", "--samples", "1"});
   const Picture before = picture();
-  display_->hand("mousemove 600 400 mousedown 1 mousemove 650 400 sleep 0.2 mousemove 720 430 sleep 0.2 mouseup 1");
-  settle();
+  change("mousemove 600 400 mousedown 1 mousemove 650 400 sleep 0.2 mousemove 720 430 sleep 0.2 mouseup 1");
   const Picture turned = picture();
   EXPECT_NE(turned, before);
-  display_->hand("key ctrl+z");
-  settle();
+  change("key ctrl+z");
   EXPECT_EQ(picture(), before) << "bit by bit";
-  display_->hand("key ctrl+shift+z");
-  settle();
+  change("key ctrl+shift+z");
   EXPECT_EQ(picture(), turned);
 }
 
@@ -160,12 +165,10 @@ TEST_F(WindowTest, ComparesWithTheTruthAtAKey) {
   display_->hand("key t");
   settle();
   EXPECT_EQ(picture(), drawn) << "while it is traced";
-  display_->hand("key t");
-  settle();
+  change("key t");
   const Picture traced = picture();
   EXPECT_NE(traced, drawn);
-  display_->hand("key t");
-  settle();
+  change("key t");
   EXPECT_EQ(picture(), drawn);
 }
 
@@ -245,10 +248,26 @@ TEST_F(WindowTest, RefusesWhatItCannotOpenInOneLine) {
   Process wrong({MIRRORBALL_VIEW, "nowhere.glb"}, log_);
   EXPECT_EQ(wrong.waitFor(20.0), 1);
   EXPECT_THAT(textOf(log_), HasSubstr("nowhere.glb"));
+  const auto refuses = [&] {
+    Process without({MIRRORBALL_VIEW, "sphere"}, log_);
+    return without.waitFor(20.0) == 1 && textOf(log_).find("mirrorball render") != std::string::npos;
+  };
+  ::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
+  EXPECT_TRUE(refuses()) << textOf(log_);
+  ::unsetenv("MESA_GL_VERSION_OVERRIDE");
+  const Display without_gl("-extension GLX");
+  EXPECT_TRUE(refuses()) << textOf(log_);
   ::unsetenv("DISPLAY");
-  Process without({MIRRORBALL_VIEW, "sphere"}, log_);
-  EXPECT_EQ(without.waitFor(20.0), 1);
-  EXPECT_THAT(textOf(log_), HasSubstr("mirrorball render"));
+  EXPECT_TRUE(refuses()) << textOf(log_);
+}
+
+TEST_F(WindowTest, KeepsWhatWasShownWhenItsDisplayGoesAway) {
+  open({"sphere", "-e", "white", "--samples", "1", "--fov", "50"});
+  display_->stop();
+  EXPECT_EQ(view_->waitFor(20.0), 1);
+  const std::string kept = folder_ + "/state/mirrorball/kept.json";
+  EXPECT_EQ(textOf(log_), "mirrorball: the connection to the display broke; to go on: mirrorball view " + kept + "\n");
+  EXPECT_THAT(textOf(kept), HasSubstr("50"));
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #                         else $DATA, else $MIRRORBALL_DATA, else ../shared/data beside the checkout
 #   MIRRORBALL_PROGRAM=…  runs another program than ./mirrorball
 #
+# A window needs a display, even one that nobody sees: without one xvfb-run makes it (Debian: xvfb).
+#
 # Plots (.svg) are made by the benchmarks that the pages name; only their sizes are looked at here.
 #
 # Exit code 1 if a command fails, a picture is shown that no command makes or made and not shown, or one is larger than
@@ -38,7 +40,7 @@ export MADE
 
 # The arguments of each command, once. The commands are this repository's own text: the shell may read them.
 commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' README.md docs/*.md docs/*/*.md | awk '!seen[$0]++')
-# What a command writes is named last: after -o, or --heat-map of `compare`, which reads others.
+# What a command writes is named last: after -o, --screenshot of `view`, or --heat-map of `compare`, which reads others.
 made=$(echo "$commands" | sed -n 's|.* docs/pictures/\([^ ]*\).*|\1|p' | sort)
 shown=$(cat README.md docs/*.md docs/*/*.md | grep -o '[("][a-z./]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
 is_plot() { [ "${1##*.}" = svg ]; }
@@ -48,10 +50,14 @@ for name in $shown; do
   is_plot "$name" || echo "$made" | grep -qx "$name" || complain "no command makes $name"
 done
 
+display=
+[ -n "${DISPLAY-}" ] || display="xvfb-run -a"
+
 mkdir -p docs/pictures
 while IFS= read -r arguments; do
   echo "$program $arguments"
-  eval "\"\$program\" $arguments" </dev/null || complain "failed: $arguments"
+  case $arguments in view*) on=$display ;; *) on= ;; esac
+  eval "$on \"\$program\" $arguments" </dev/null || complain "failed: $arguments"
 done <<END
 $commands
 END

@@ -1,6 +1,8 @@
 #include "window/desk.h"
 
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -33,7 +35,7 @@ void drawTwoColumns(std::string_view left, std::string_view right) {
 }
 
 void drawKeys() {
-  if (!ImGui::BeginTable("keys", 2)) return;
+  if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
   for (const GestureText& text : gestureTexts()) drawTwoColumns(text.hand, text.does);
   for (const ViewerCommand& command : viewerCommands())
     drawTwoColumns(std::string(command.key) + (command.other_key.empty() ? "" : ", ") + std::string(command.other_key),
@@ -50,7 +52,7 @@ void drawKeys() {
 }  // namespace
 
 Desk::Desk(GLFWwindow* window, const WindowOptions& options)
-    : window_(window), recent_(RecentFiles::ofUser()), theme_(options.theme) {
+    : window_(window), recent_(RecentFiles::ofUser()), theme_(options.theme), search_(options.find) {
   followMonitor();
 }
 
@@ -61,7 +63,10 @@ void Desk::useTheme(Theme theme) {
     ImGui::StyleColorsLight();
   else
     ImGui::StyleColorsDark();
-  ImGui::GetStyle().ScaleAllSizes(scale_);
+  ImGuiStyle& style = ImGui::GetStyle();
+  if (theme == Theme::light) style.FrameBorderSize = 1.0f;  // else fields are white on white
+  for (const ImGuiCol background : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) style.Colors[background].w = 1.0f;
+  style.ScaleAllSizes(scale_);
 }
 
 void Desk::followMonitor() {
@@ -78,9 +83,9 @@ void Desk::followMonitor() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
 }
 
-int Desk::panelWidth() const { return static_cast<int>(kPanelWidth * scale_); }
-int Desk::menuHeight() const {
-  return static_cast<int>(kLetterHeight * scale_ + 2.0f * ImGui::GetStyle().FramePadding.y);
+glm::ivec2 Desk::spaceBesidePicture(float scale) {
+  const float padding = std::floor(ImGuiStyle().FramePadding.y * scale);  // as the style rounds it
+  return {static_cast<int>(kPanelWidth * scale), static_cast<int>(kLetterHeight * scale + 2.0f * padding)};
 }
 
 int Desk::stripHeight(const Viewer& viewer) const {
@@ -122,7 +127,6 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   drawMenus(viewer);
-  drawDialog(viewer, picture_px);
   const UnderPointer under = viewer.underPointer();
   drawOverPicture(under, {0.0f, static_cast<float>(menuHeight())});
   if (const int height = stripHeight(viewer)) {
@@ -139,6 +143,7 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   drawUnderPointer(under);
   drawPanels(viewer, search_, std::exchange(wants_search_, false));
   ImGui::End();
+  drawDialog(viewer, picture_px);  // last: Dear ImGui lets no window appear behind one
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -240,15 +245,23 @@ void Desk::copyCommandLine(const Viewer& viewer) {
 
 namespace {
 
+/// "1280 x 720, 4 of 16 samples, 12 ms, GPU 9 ms"
+std::string samplesText(const SideStatus& side) {
+  std::array<char, 128> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%d x %d, %d of %d samples, %.0f ms", side.size_px.x,
+                                   side.size_px.y, side.samples, side.wanted_samples, 1e3 * side.sample_s);
+  if (side.gpu_s)
+    std::snprintf(text.data() + length, text.size() - std::size_t(length), ", GPU %.0f ms", 1e3 * *side.gpu_s);
+  return text.data();
+}
+
 void drawSide(const SideStatus& side) {
   const glm::ivec2 size = side.size_px;
   if (side.is_traced)
     ImGui::Text("%d x %d, %d of %d paths, noise %.2g", size.x, size.y, side.samples, side.wanted_samples,
                 static_cast<double>(side.noise));
   else
-    ImGui::Text("%d x %d, %d of %d samples, %.0f ms", size.x, size.y, side.samples, side.wanted_samples,
-                1e3 * side.sample_s);
-  if (side.gpu_s && !side.is_traced) ImGui::Text("GPU %.1f ms a sample", 1e3 * *side.gpu_s);
+    ImGui::TextUnformatted(samplesText(side).c_str());
   if (side.light.reads > 0 && !side.is_traced)
     ImGui::Text("light: %d look-ups, %.1f MiB", side.light.reads,
                 static_cast<double>(side.light.texture_bytes) / 1048576.0);
@@ -280,11 +293,12 @@ void drawBar(const std::string& what, double share) {
 
 void Desk::drawStatus(Viewer& viewer) const {
   const ViewerStatus status = viewer.status();
+  const float top = ImGui::GetCursorPosY();
   for (std::size_t i = 0; i < status.sides.size(); ++i) {
     if (status.sides.size() > 1 &&
         ImGui::RadioButton(i == 0 ? "first half" : "second half", editedSide(viewer.workspace()) == i))
       viewer.history().change("Edit the other half", withEditedSide(viewer.workspace(), i));
-    drawSide(status.sides[i]);
+    if (!viewer.workspace().shows_map) drawSide(status.sides[i]);
   }
   drawAnimation(viewer, status.animation);
   for (const ErrorText& error : status.errors) ImGui::Text("%s %s", error.label.c_str(), error.value.c_str());
@@ -297,7 +311,7 @@ void Desk::drawStatus(Viewer& viewer) const {
   if (!status.remark.empty()) drawLine(status.remark);
   if (!status.problem.empty()) drawLine(status.problem);
   if (!told_.empty()) drawLine(told_);
-  ImGui::Separator();
+  if (ImGui::GetCursorPosY() > top) ImGui::Separator();
 }
 
 }  // namespace mirrorball::window

@@ -25,9 +25,11 @@ class Desk {
   /// Makes all as large as the monitor asks for.
   void followMonitor();
 
-  /// How wide the panels are, and how high the menus [pixels].
-  int panelWidth() const;
-  int menuHeight() const;
+  /// How wide the panels are, and how high the menus [pixels], on a monitor that asks for all to be so many times as
+  /// large.
+  static glm::ivec2 spaceBesidePicture(float scale);
+  int panelWidth() const { return spaceBesidePicture(scale_).x; }
+  int menuHeight() const { return spaceBesidePicture(scale_).y; }
 
   /// Opens files in turn, and notes them as recent.
   void open(Viewer& viewer, const std::vector<std::string>& paths);
@@ -41,6 +43,9 @@ class Desk {
   int stripHeight(const Viewer& viewer) const;
 
   void draw(Viewer& viewer, glm::ivec2 picture_px);
+
+  /// Says a line above the options, until there is another.
+  void tell(const std::string& line) { told_ = line; }
 
  private:
   enum class Dialog { none, open, save_workspace, save_picture, keys };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,8 @@
 namespace mirrorball::window {
 namespace {
 
+constexpr const char* kNumberFormat = "%.5g";
+
 /// A slider where both ends are known, else a field to drag in.
 bool numberWidget(const PanelRow& row, std::vector<float>& numbers) {
   const OptionControl& control = row.control;
@@ -26,9 +30,10 @@ bool numberWidget(const PanelRow& row, std::vector<float>& numbers) {
   if (control.kind == ControlKind::color && count == 3)
     return ImGui::ColorEdit3("##value", numbers.data(), ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
   if (count == 1 && std::isfinite(low) && std::isfinite(high))
-    return ImGui::SliderFloat("##value", numbers.data(), low, high);
+    return ImGui::SliderFloat("##value", numbers.data(), low, high, kNumberFormat);
   const float speed = control.step > 0.0 ? static_cast<float>(control.step) : 0.01f;
-  return ImGui::DragScalarN("##value", ImGuiDataType_Float, numbers.data(), count, speed);
+  return ImGui::DragScalarN("##value", ImGuiDataType_Float, numbers.data(), count, speed, nullptr, nullptr,
+                            kNumberFormat);
 }
 
 bool integerWidget(const PanelRow& row, int& number) {
@@ -112,6 +117,7 @@ void drawPanels(Viewer& viewer, std::string& search, bool is_wanted) {
   const auto groups = panelsOf(viewer.workspace(), viewer.selectedMaterial());
   if (!groups) return ImGui::TextWrapped("%s", groups.error().message.c_str());
   if (is_wanted) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##search", "find an option", &search);
   if (!search.empty()) {
     for (const FoundRow& found : searchRows(*groups, search)) drawRow(viewer, (*groups)[found.group].rows[found.row]);
@@ -119,7 +125,10 @@ void drawPanels(Viewer& viewer, std::string& search, bool is_wanted) {
   }
   for (const PanelGroup& group : *groups) {
     const std::string title(group.title);
-    if (!ImGui::CollapsingHeader(title.c_str())) continue;
+    // What was given is seen at once.
+    const bool has_given = std::any_of(group.rows.begin(), group.rows.end(), [](auto& row) { return row.is_given; });
+    if (!ImGui::CollapsingHeader(title.c_str(), has_given ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None))
+      continue;
     for (const PanelRow& row : group.rows) drawRow(viewer, row);
     if (ImGui::Button(("Reset " + title).c_str()))
       viewer.history().change("Reset " + title, withoutGroup(viewer.workspace(), group.title));
@@ -167,6 +176,23 @@ void drawMarkedPicture(const MarkedPicture& picture) {
     for (const glm::vec2 place : dot.places) drawDot(list, glm::vec2(corner.x, corner.y) + place, dot.color);
 }
 
+/// A text in lines as wide as there is place. Dear ImGui's own may end a line within a number, after its point.
+void drawWords(const std::string& text) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+      ImGui::TextUnformatted(line.c_str());
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  ImGui::TextUnformatted(line.c_str());
+}
+
 }  // namespace
 
 void drawUnderPointer(const UnderPointer& under) {
@@ -179,7 +205,7 @@ void drawUnderPointer(const UnderPointer& under) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s %s", row.value.c_str(), row.unit.c_str());
+    drawWords(row.value + " " + row.unit);
   }
   ImGui::EndTable();
 }

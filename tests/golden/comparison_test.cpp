@@ -76,7 +76,7 @@ class MeantFailure : public ::testing::Test {
 };
 
 TEST_F(MeantFailure, MissingGoldenPictureFails) {
-  const auto verdict = matchesGolden("no_such_picture", greyPicture(4, 4), {255, 255, "anything"}, folder_);
+  const auto verdict = matchesGolden(goldenPath("no_such_picture"), greyPicture(4, 4), {255, 255, "anything"}, folder_);
   EXPECT_FALSE(verdict);
   EXPECT_THAT(verdict.message(), HasSubstr("pictures/no_such_picture.png: there is no golden picture"));
   EXPECT_THAT(verdict.message(), HasSubstr((folder_ / "no_such_picture.png").string()));
@@ -84,20 +84,20 @@ TEST_F(MeantFailure, MissingGoldenPictureFails) {
 }
 
 TEST_F(MeantFailure, OtherSizeFails) {
-  const auto verdict = matchesGolden("mirror", greyPicture(4, 4), {255, 255, "anything"}, folder_);
+  const auto verdict = matchesGolden(goldenPath("mirror"), greyPicture(4, 4), {255, 255, "anything"}, folder_);
   EXPECT_FALSE(verdict);
   EXPECT_THAT(verdict.message(), HasSubstr("is 4x4, its golden picture 96x96"));
 }
 
 TEST_F(MeantFailure, LeavesAContactSheetUntilThePictureIsRight) {
-  const Result<Image8> golden = readGolden("mirror");
+  const Result<Image8> golden = readGolden(goldenPath("mirror"));
   ASSERT_TRUE(golden) << golden.error().message;
   Image8 now = *golden;
   std::uint8_t& red = now.texel(20, 30)[0];
   const int red_difference = red < 128 ? 10 : -10;
   red = static_cast<std::uint8_t>(red + red_difference);
 
-  const auto verdict = matchesGolden("mirror", now, kNoDifference, folder_);
+  const auto verdict = matchesGolden(goldenPath("mirror"), now, kNoDifference, folder_);
   EXPECT_FALSE(verdict);
   EXPECT_THAT(verdict.message(), HasSubstr("by 10 at (20, 30), "));
   EXPECT_THAT(verdict.message(), HasSubstr("allowed: 0, 0 in the mean (the same pixels)"));
@@ -116,7 +116,7 @@ TEST_F(MeantFailure, LeavesAContactSheetUntilThePictureIsRight) {
   EXPECT_EQ(sheet->texel(2 * second + 20, 30)[1], 0);
   EXPECT_EQ(sheet->texel(2 * second + 21, 30)[0], 0);
 
-  EXPECT_TRUE(matchesGolden("mirror", *golden, kNoDifference, folder_));
+  EXPECT_TRUE(matchesGolden(goldenPath("mirror"), *golden, kNoDifference, folder_));
   EXPECT_FALSE(fs::exists(folder_ / "mirror.png"));
 }
 
@@ -125,7 +125,7 @@ class WrongProjection : public MeantFailure {
  protected:
   template <typename Alter>
   void expectFound(const std::string& name, const Alter& alter) {
-    const Result<Image8> golden = readGolden(name);
+    const Result<Image8> golden = readGolden(goldenPath(name));
     ASSERT_TRUE(golden) << golden.error().message;
     Image8 wrong = *golden;
     alter(wrong);

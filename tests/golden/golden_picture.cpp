@@ -33,21 +33,20 @@ fs::path goldenPath(const std::string& name) {
   return fs::path(MIRRORBALL_SOURCE_DIR) / "tests/golden/pictures" / (name + ".png");
 }
 
-Result<Image8> readGolden(const std::string& name) {
-  const fs::path path = goldenPath(name);
+Result<Image8> readGolden(const fs::path& path) {
+  const std::string label = path.parent_path().parent_path().filename();
   if (!fs::exists(path))
-    return fail(ErrorCode::not_found,
-                path.string() +
-                    ": there is no golden picture; to make it: MIRRORBALL_UPDATE_GOLDEN=1 ./test --quick -L golden");
+    return fail(ErrorCode::not_found, path.string() + ": there is no golden picture; to make it: " +
+                                          "MIRRORBALL_UPDATE_GOLDEN=1 ./test --quick -L " + label);
   MIRRORBALL_TRY(bytes, readFile(path));
   return withName(path.string(), decodeTexture(bytes));
 }
 
-::testing::AssertionResult matchesGolden(const std::string& name, const Image8& now, const Tolerance& tolerance,
+::testing::AssertionResult matchesGolden(const fs::path& path, const Image8& now, const Tolerance& tolerance,
                                          const fs::path& failures) {
-  const fs::path sheet = failures / (name + ".png");
+  const fs::path sheet = failures / path.filename();
   fs::remove(sheet);
-  const Result<Image8> golden = readGolden(name);
+  const Result<Image8> golden = readGolden(path);
   if (!golden)
     return ::testing::AssertionFailure() << golden.error().message << "\n  the picture now: " << writtenTo(sheet, now);
   if (golden->width() != now.width() || golden->height() != now.height())

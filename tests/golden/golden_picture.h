@@ -17,16 +17,17 @@ bool isUpdating();
 /// tests/golden/pictures/NAME.png
 std::filesystem::path goldenPath(const std::string& name);
 
-/// The golden picture of that name, with 4 channels.
+/// The golden picture in that file, with 4 channels.
 ///
 /// errors   not_found, with what to do; whatever readFile and decodeTexture say
-Result<Image8> readGolden(const std::string& name);
+Result<Image8> readGolden(const std::filesystem::path& path);
 
-/// Holds a picture against the golden one of that name. Where they differ, or where there is no golden one, the answer
+/// Holds a picture against the golden one in that file. Where they differ, or where there is no golden one, the answer
 /// says by how much and names the contact sheet to look at.
 ///
+/// path     of a folder `pictures` beside its test, whose label is that folder's name
 /// failures the folder for contact sheets, made when it is needed; one left there by an earlier run is removed
-::testing::AssertionResult matchesGolden(const std::string& name, const Image8& now, const Tolerance& tolerance,
-                                         const std::filesystem::path& failures);
+::testing::AssertionResult matchesGolden(const std::filesystem::path& path, const Image8& now,
+                                         const Tolerance& tolerance, const std::filesystem::path& failures);
 
 }  // namespace mirrorball::golden

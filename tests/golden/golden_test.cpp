@@ -43,7 +43,7 @@ TEST_P(Golden, PictureIsMadeAgain) {
   }
   const Result<Image8> now = decodeTexture(*file);
   ASSERT_TRUE(now) << now.error().message;
-  EXPECT_TRUE(matchesGolden(golden_case.name, *now, *golden_case.tolerance, MIRRORBALL_GOLDEN_FAILURES));
+  EXPECT_TRUE(matchesGolden(goldenPath(golden_case.name), *now, *golden_case.tolerance, MIRRORBALL_GOLDEN_FAILURES));
 }
 INSTANTIATE_TEST_SUITE_P(Program, Golden, ::testing::ValuesIn(cases().begin(), cases().end()), caseName);
 

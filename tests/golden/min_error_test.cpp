@@ -25,7 +25,7 @@ TEST_P(GoldenMinError, IsFound) {
   if (isUpdating()) GTEST_SKIP() << "the golden pictures are being made";
   MIRRORBALL_NEEDS_GL(context, gl::Api::desktop43);
   const Case& golden_case = GetParam();
-  const Result<Image8> golden = readGolden(golden_case.name);
+  const Result<Image8> golden = readGolden(goldenPath(golden_case.name));
   ASSERT_TRUE(golden) << golden.error().message;
   const Result<Bytes> file = pictureMadeBy(commandOf(golden_case, golden_case.min_error));
   ASSERT_TRUE(file) << file.error().message;

@@ -73,15 +73,16 @@ bool isInstalled(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-Display::Display() {
+Display::Display(const std::string& options) {
   // The server chooses a number that is free, and tells it.
   const std::string told =
       std::filesystem::temp_directory_path() / ("mirrorball_display_" + std::to_string(::getpid()));
-  server_ =
-      std::make_unique<Process>(std::vector<std::string>{"sh", "-c",
-                                                         "exec Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 "
-                                                         "3>" +
-                                                             told});
+  server_ = std::make_unique<Process>(
+      std::vector<std::string>{"sh", "-c",
+                               "exec Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 " + options +
+                                   " "
+                                   "3>" +
+                                   told});
   for (int tries = 0; tries < 500 && name_.size() < 2; ++tries) {
     sleepFor(0.02);
     std::string number = outputOf("cat " + told + " 2>/dev/null");
@@ -91,8 +92,14 @@ Display::Display() {
   std::filesystem::remove(told);
   if (name_.size() < 2) return;
   ::setenv("DISPLAY", name_.c_str(), 1);
-  manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox"});
-  is_there_ = true;
+  // A window that asks to be seen while the manager begins may be forgotten.
+  const std::string ready = told + "_managed";
+  manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox", "--startup", "touch " + ready});
+  for (int tries = 0; tries < 500 && !is_there_; ++tries) {
+    sleepFor(0.02);
+    is_there_ = std::filesystem::exists(ready);
+  }
+  std::filesystem::remove(ready);
 }
 
 std::string Display::hand(const std::string& words) const { return outputOf("xdotool " + words + " 2>/dev/null"); }

@@ -36,7 +36,8 @@ bool isInstalled(const std::string& program);
 /// An X display without a screen of 1700 × 800 pixels, with a window manager.
 class Display {
  public:
-  Display();
+  /// options   of the server: "-extension GLX"
+  explicit Display(const std::string& options = "");
 
   bool isThere() const { return is_there_; }
   const std::string& name() const { return name_; }
@@ -45,6 +46,9 @@ class Display {
   ///
   /// returns  what it printed
   std::string hand(const std::string& words) const;
+
+  /// Stops the server under all who are connected to it.
+  void stop() { server_.reset(); }
 
   /// All that is on it: 3 channels.
   Image8 photograph() const;

@@ -16,6 +16,7 @@
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file.h"
 #include "window/display.h"
+#include "window/drag_source.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -35,6 +36,9 @@ class WindowTest : public ::testing::Test {
       ASSERT_TRUE(isInstalled(program)) << program << " is missing; ./test installs it";
     display_ = std::make_unique<Display>();
     ASSERT_TRUE(display_->isThere());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ + "/state");
+    ::setenv("XDG_STATE_HOME", (folder_ + "/state").c_str(), 1);
   }
 
   /// Opens a window, and waits until its picture is done.
@@ -65,13 +69,23 @@ class WindowTest : public ::testing::Test {
     EXPECT_GE(calm, kCalm) << "it never rests";
   }
 
+  /// Does something by which the picture becomes another one, and waits until that is done.
+  void change(const std::string& words) {
+    const Picture before = picture();
+    display_->hand(words);
+    for (int tries = 0; tries < 100 && picture() == before; ++tries) wait(0.1);
+    settle();
+  }
+
   /// The middle of the picture, which neither menus nor panels cover.
   using Picture = std::vector<std::uint8_t>;
-  Picture picture() const {
+  Picture picture() const { return columns(150, 1000); }
+  Picture panels() const { return columns(1300, 300); }
+  Picture columns(int left, int width) const {
     const Image8 all = display_->photograph();
     Picture part;
     for (int y = 150; y < 650 && y < all.height(); ++y)
-      part.insert(part.end(), all.texel(150, y), all.texel(150, y) + 3 * 1000);
+      part.insert(part.end(), all.texel(left, y), all.texel(left, y) + 3 * width);
     return part;
   }
 
@@ -94,6 +108,15 @@ class WindowTest : public ::testing::Test {
     return true;
   }
 
+  /// Drags files onto the window, and waits until its picture is done.
+  void drop(const std::vector<std::string>& paths) {
+    const std::string window = display_->hand("search --name ^Mirrorball");
+    ASSERT_EQ(dropFiles(display_->name(), std::stoul(window), paths), "");
+    wait(0.5);
+    settle();
+  }
+
+  std::string folder_ = ::testing::TempDir() + "mirrorball_window";
   std::string log_ = ::testing::TempDir() + "window.log";
   std::unique_ptr<Display> display_;
   std::unique_ptr<Process> view_;
@@ -102,15 +125,12 @@ class WindowTest : public ::testing::Test {
 TEST_F(WindowTest, AHandTurnsTheModelAndKeysUndoIt) {
   open({"teapot", "-e", "studio", "--material", "gold", "--samples", "1"});
   const Picture before = picture();
-  display_->hand("mousemove 600 400 mousedown 1 mousemove 650 400 sleep 0.2 mousemove 720 430 sleep 0.2 mouseup 1");
-  settle();
+  change("mousemove 600 400 mousedown 1 mousemove 650 400 sleep 0.2 mousemove 720 430 sleep 0.2 mouseup 1");
   const Picture turned = picture();
   EXPECT_NE(turned, before);
-  display_->hand("key ctrl+z");
-  settle();
+  change("key ctrl+z");
   EXPECT_EQ(picture(), before) << "bit by bit";
-  display_->hand("key ctrl+shift+z");
-  settle();
+  change("key ctrl+shift+z");
   EXPECT_EQ(picture(), turned);
 }
 
@@ -145,13 +165,50 @@ TEST_F(WindowTest, ComparesWithTheTruthAtAKey) {
   display_->hand("key t");
   settle();
   EXPECT_EQ(picture(), drawn) << "while it is traced";
-  display_->hand("key t");
-  settle();
+  change("key t");
   const Picture traced = picture();
   EXPECT_NE(traced, drawn);
-  display_->hand("key t");
-  settle();
+  change("key t");
   EXPECT_EQ(picture(), drawn);
+}
+
+void writeText(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+TEST_F(WindowTest, ShowsFilesThatAreDropped) {
+  const std::string map = folder_ + "/map.hdr", model = folder_ + "/Drei Ecken, größer als 100%.obj";
+  Image light(16, 8, 3);
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 8; ++y) light.texel(x, y)[y < 4 ? 0 : 2] = 0.5f;
+  ASSERT_TRUE(writeImage(map, light));
+  writeText(model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  open({"sphere", "-e", "white", "--samples", "1", "--size", "700x500"});
+  drop({map});
+  drop({model});
+  const std::string rendered = folder_ + "/rendered.png";
+  // Below the picture there are two panoramas to choose among now.
+  Process render(
+      {MIRRORBALL_PROGRAM, "render", model, "-e", map, "--samples", "1", "--size", "700x424", "-o", rendered}, log_);
+  ASSERT_EQ(render.waitFor(60.0), 0) << textOf(log_);
+  EXPECT_TRUE(isOn(display_->photograph(), pictureFromLinear(readImage(rendered)->image, 3)));
+}
+
+TEST_F(WindowTest, ReadsNothingOutsideTheFolderOfADroppedModel) {
+  const std::string model = folder_ + "/inside/model.gltf";
+  std::filesystem::create_directories(folder_ + "/inside");
+  const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  writeText(folder_ + "/outside.bin", {reinterpret_cast<const char*>(corners.data()), 36});
+  writeText(model, R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+    "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "../outside.bin"}]})");
+  const std::vector<std::string> render{MIRRORBALL_PROGRAM, "render", model, "--size", "8", "-o", folder_ + "/any.png"};
+  ASSERT_EQ(Process(render, log_).waitFor(60.0), 0) << "where it is allowed, it is a model" << textOf(log_);
+  open({"sphere", "-e", "white", "--samples", "1"});
+  const Picture before = picture(), panels_before = panels();
+  drop({model});
+  EXPECT_EQ(picture(), before) << "it stays";
+  EXPECT_NE(panels(), panels_before) << "a line says why";
 }
 
 TEST_F(WindowTest, FollowsItsManager) {
@@ -192,10 +249,26 @@ TEST_F(WindowTest, RefusesWhatItCannotOpenInOneLine) {
   Process wrong({MIRRORBALL_VIEW, "nowhere.glb"}, log_);
   EXPECT_EQ(wrong.waitFor(20.0), 1);
   EXPECT_THAT(textOf(log_), HasSubstr("nowhere.glb"));
+  const auto refuses = [&] {
+    Process without({MIRRORBALL_VIEW, "sphere"}, log_);
+    return without.waitFor(20.0) == 1 && textOf(log_).find("mirrorball render") != std::string::npos;
+  };
+  ::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
+  EXPECT_TRUE(refuses()) << textOf(log_);
+  ::unsetenv("MESA_GL_VERSION_OVERRIDE");
+  const Display without_gl("-extension GLX");
+  EXPECT_TRUE(refuses()) << textOf(log_);
   ::unsetenv("DISPLAY");
-  Process without({MIRRORBALL_VIEW, "sphere"}, log_);
-  EXPECT_EQ(without.waitFor(20.0), 1);
-  EXPECT_THAT(textOf(log_), HasSubstr("mirrorball render"));
+  EXPECT_TRUE(refuses()) << textOf(log_);
+}
+
+TEST_F(WindowTest, KeepsWhatWasShownWhenItsDisplayGoesAway) {
+  open({"sphere", "-e", "white", "--samples", "1", "--fov", "50"});
+  display_->stop();
+  EXPECT_EQ(view_->waitFor(20.0), 1);
+  const std::string kept = folder_ + "/state/mirrorball/kept.json";
+  EXPECT_EQ(textOf(log_), "mirrorball: the connection to the display broke; to go on: mirrorball view " + kept + "\n");
+  EXPECT_THAT(textOf(kept), HasSubstr("50"));
 }
 
 }  // namespace

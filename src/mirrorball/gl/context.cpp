@@ -35,6 +35,7 @@ struct Context::State {
   float largest_anisotropy = hasExtension("GL_EXT_texture_filter_anisotropic")
                                  ? ask<GLfloat>(glGetFloatv, GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)
                                  : 1.0f;
+  bool is_lost = false;
   int largest_texture = ask<GLint>(glGetIntegerv, GL_MAX_TEXTURE_SIZE);
 };
 
@@ -69,7 +70,10 @@ Result<void> Context::makeCurrent() const {
 
 Result<void> Context::enter() const {
   MIRRORBALL_TRY_VOID(makeCurrent());
-  if (!state_->own) setOurState(state_->api);
+  if (state_->own) return {};
+  state_->is_lost = state_->is_lost || wasReset();
+  if (state_->is_lost) return fail(ErrorCode::no_gl, "the graphics driver was reset and has lost what was in it");
+  setOurState(state_->api);
   return {};
 }
 

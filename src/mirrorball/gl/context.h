@@ -50,7 +50,7 @@ class Context {
 
   /// Sets all state that this room and the renderer count on and do not set at each draw.
   ///
-  /// errors   as makeCurrent's
+  /// errors   as makeCurrent's; no_gl: the driver was reset, and the context never draws again
   /// cost     some 50 calls of OpenGL, none of which waits
   Result<void> enter() const;
   /// Sets the state that they change, but for the viewport, as a new context has it: no textures, buffers and programs

@@ -255,6 +255,13 @@ void resetPlatform(Api api) {
   if (hasExtension("GL_ARB_clip_control")) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
+bool wasReset() {
+  const int tells_since = epoxy_is_desktop_gl() ? 45 : 32;
+  if (epoxy_gl_version() >= tells_since || hasExtension("GL_KHR_robustness"))
+    return glGetGraphicsResetStatus() != GL_NO_ERROR;
+  return hasExtension("GL_ARB_robustness") && glGetGraphicsResetStatusARB() != GL_NO_ERROR;
+}
+
 bool hasExtension(const char* name) { return epoxy_has_gl_extension(name); }
 
 }  // namespace mirrorball::gl

@@ -51,6 +51,10 @@ void enableExtensions();
 /// Sets what drawing and uploading depend on and only some contexts have, as a new one has it.
 void resetPlatform(Api api);
 
+/// Whether the driver was reset, and the current context has lost all that was in it; drivers tell it once, and of
+/// contexts that were made to be told.
+bool wasReset();
+
 /// Whether the current context has the extension: "GL_OES_texture_float_linear".
 bool hasExtension(const char* name);
 

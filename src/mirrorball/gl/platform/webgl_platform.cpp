@@ -55,6 +55,9 @@ void resetPlatform(Api) {
   glPixelStorei(kPremultiplyAlpha, 0);
 }
 
+// A page is told by an event.
+bool wasReset() { return false; }
+
 // Whether it could be enabled, as it is by that; WebGL's names lack OpenGL's "GL_".
 bool hasExtension(const char* name) { return enable(name + 3); }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -57,5 +58,7 @@ using Event =
 
 /// "Ctrl+Shift+Z"
 std::string chordOf(const KeyPressed& pressed);
+/// The same the other way: what stands before the key is held.
+KeyPressed pressedOf(std::string_view chord);
 
 }  // namespace mirrorball

@@ -58,6 +58,20 @@ std::string chordOf(const KeyPressed& pressed) {
          (pressed.held.shift ? "Shift+" : "") + pressed.key;
 }
 
+KeyPressed pressedOf(std::string_view chord) {
+  KeyPressed pressed;
+  const auto takes = [&](std::string_view held) {
+    if (!chord.starts_with(held)) return false;
+    chord.remove_prefix(held.size());
+    return true;
+  };
+  pressed.held.control = takes("Ctrl+");
+  pressed.held.alt = takes("Alt+");
+  pressed.held.shift = takes("Shift+");
+  pressed.key = chord;
+  return pressed;
+}
+
 Gesture::Kind Gesture::kindOf(const PointerPressed& pressed, const Workspace& now, const ShownPicture& shown) {
   if (now.shows_map) return kindOverMap(pressed, shown.ball);
   switch (pressed.button) {

@@ -86,6 +86,7 @@ TEST(Commands, EachHasANameAndAKeyOfItsOwn) {
   }
   EXPECT_EQ(commandOfKey("Ctrl+Alt+Q"), nullptr);
   EXPECT_EQ(commandOfKey(chordOf({"Z", {.control = true, .shift = true}}))->name, "redo");
+  for (const char* chord : {"Z", "Ctrl+Shift+Z", "Shift+=", "Ctrl+Alt+Q"}) EXPECT_EQ(chordOf(pressedOf(chord)), chord);
 }
 
 TEST(Commands, DoWhatTheySay) {

@@ -134,6 +134,15 @@ TEST_F(ViewerComparisonTest, TheTruthIsThePathTracersPicture) {
   EXPECT_FALSE(viewer.status().sides[0].is_traced);
 }
 
+TEST_F(ViewerComparisonTest, NothingGoesOnOnceTheTruthIsThere) {
+  Workspace workspace = withTruth({.model = "knot"});
+  workspace.compare_by = CompareBy::slider;
+  workspace.frame = {{"samples", {"1"}}};
+  Viewer viewer(device(), workspace, kViewerSize);
+  finish(viewer);
+  EXPECT_EQ(viewer.status().loading, "") << "the renderer's part of that half is not waited for";
+}
+
 TEST_F(ViewerComparisonTest, EndsWhileItTraces) {
   Workspace workspace = comparison(CompareBy::flip);
   workspace.sides[1].is_traced = true;

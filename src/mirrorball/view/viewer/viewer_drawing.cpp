@@ -190,7 +190,9 @@ void Viewer::State::tellLoading(ViewerStatus& status) const {
   for (const std::size_t side : wantedSides()) {
     const LitStage& stage = stageOf(side);
     if (stage.loading().isRunning()) tell(stage.loading().name(), stage.loading().share());
-    if (drawn[side].preparing().isRunning()) tell("what frames need of the scene", drawn[side].preparing().share());
+    const bool shows_paths = pictureOf(side) != drawn[side].picture();
+    if (drawn[side].preparing().isRunning() && !shows_paths)
+      tell("what frames need of the scene", drawn[side].preparing().share());
     if (drawn[side].isPicking()) tell("the triangles, to pick among", 0.0);
     if (traced[side].isRunning()) tell("paths", traced[side].share());
   }

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
 
@@ -44,6 +45,14 @@ void RecentFiles::note(const std::string& path) const {
   for (const std::string& each : files) text += each + "\n";
   std::filesystem::create_directories(file_.parent_path(), error);
   (void)writeFile(file_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+Result<std::string> RecentFiles::keep(const Workspace& workspace) const {
+  std::error_code seen_when_writing;
+  std::filesystem::create_directories(file_.parent_path(), seen_when_writing);
+  std::string path = (file_.parent_path() / "kept.json").string();
+  MIRRORBALL_TRY_VOID(saveWorkspace(path, workspace));
+  return path;
 }
 
 }  // namespace mirrorball

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/view/workspace/workspace.h"
 
 namespace mirrorball {
 
@@ -27,6 +28,12 @@ class RecentFiles {
 
   /// Notes a file that was opened; what is no file, as a built-in model, is left out.
   void note(const std::string& path) const;
+
+  /// Writes a workspace beside it, over the one before: what somebody has not saved when a program must end.
+  ///
+  /// returns  the file that was written
+  /// errors   io
+  Result<std::string> keep(const Workspace& workspace) const;
 
  private:
   std::filesystem::path file_;

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/view/workspace/workspace_file.h"
+
 namespace mirrorball {
 namespace {
 
@@ -35,6 +37,17 @@ TEST(RecentFiles, AreListedTheLastFirst) {
   EXPECT_THAT(recent.list(), ElementsAre(b));
   for (int i = 0; i < 30; ++i) recent.note(fileNamed("recent_" + std::to_string(i)));
   EXPECT_THAT(recent.list(), SizeIs(RecentFiles::kMost));
+}
+
+TEST(RecentFiles, KeepAWorkspaceBesideThem) {
+  const std::filesystem::path folder = ::testing::TempDir() + "kept_state";
+  std::filesystem::remove_all(folder);
+  const RecentFiles recent(folder / "deeper" / "recent.txt");
+  for (const char* model : {"teapot", "knot"}) {
+    const auto path = recent.keep({.model = model});
+    ASSERT_TRUE(path) << path.error().message;
+    EXPECT_EQ(loadWorkspace(*path)->model, model);
+  }
 }
 
 }  // namespace

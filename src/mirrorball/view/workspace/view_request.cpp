@@ -22,6 +22,25 @@ const auto kWindowOptions = std::to_array<Option<WindowOptions>>({
      &WindowOptions::waits_for_screen},
     {{.name = "theme", .choices = "dark|light", .help = "the colours of menus and panels"},
      choiceField<&WindowOptions::theme>},
+    {{.name = "keys",
+      .value = "KEYS",
+      .help =
+          "keys that are pressed first, with spaces between, as the page of keys writes them: \"T C\" begins with a "
+          "line between the picture and the truth"},
+     &WindowOptions::keys},
+    {{.name = "find", .value = "LETTERS", .help = "shows the options that these letters find"}, &WindowOptions::find},
+    {{.name = "screenshot",
+      .value = "FILE",
+      .help = "opens no window, but writes what it would show, panels too, as .png or .jpg once the picture is whole",
+      .takes_path = true},
+     &WindowOptions::screenshot},
+    {{.name = "pointer",
+      .value = "X,Y",
+      .unit = "pixels",
+      .min_count = 2,
+      .max_count = 2,
+      .help = "where the pointer is in the picture of a screenshot, from its top left corner"},
+     &WindowOptions::pointer},
 });
 
 /// The option that a word names; null: it is none of the window's.
@@ -68,14 +87,16 @@ std::string viewHelp() {
       "Opens a window on a model in an environment. A FILE is a model, a panorama or another map of all directions, a\n"
       "photograph of a mirror ball, or a workspace; -e MAP shows another environment. All options of `mirrorball "
       "render`\n"
-      "for the picture, the material and the quality are taken, and --reference compares with the truth. The key ? "
-      "shows\n"
-      "what hands and keys do.\n\n";
+      "for the picture, the material and the quality are taken, and --reference compares with the truth. When it "
+      "opens,\n"
+      "the picture in it is as large as --size says. The key ? shows what hands and keys do.\n\n";
   const WindowOptions defaults;
   for (const Option<WindowOptions>& option : kWindowOptions) {
     const std::string_view value = option.text.choices.empty() ? option.text.value : option.text.choices;
     help += "  --" + std::string(option.text.name) + (value.empty() ? "" : " ") + std::string(value) + "\n      " +
-            std::string(option.text.help) + " (default " + written(option, defaults) + ")\n";
+            std::string(option.text.help);
+    const std::string otherwise = written(option, defaults);
+    help += otherwise.empty() ? "\n" : " (default " + otherwise + ")\n";
   }
   return help;
 }

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
@@ -17,6 +18,10 @@ struct WindowOptions {
   float frame_ms = 16.0f;  ///< that a picture may take while something moves
   bool waits_for_screen = true;
   Theme theme = Theme::dark;
+  std::string keys = {};            ///< that are pressed first, as chordOf writes them, with spaces between
+  std::vector<float> pointer = {};  ///< where it is in the picture of a screenshot [pixels]; empty: nowhere
+  std::string find = {};            ///< what rows of the panels are found by
+  std::string screenshot = {};      ///< the file for what the window would show; empty: it is opened
 };
 
 /// The table of them.

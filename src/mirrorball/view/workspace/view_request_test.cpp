@@ -8,6 +8,7 @@
 namespace mirrorball {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Result<ViewRequest> request(const std::vector<std::string>& words) { return viewRequestOf(words); }
@@ -20,6 +21,7 @@ TEST(ViewRequest, HasTheWindowsOptionsAndThoseOfRender) {
   EXPECT_EQ(asked->window.theme, Theme::light);
   EXPECT_EQ(asked->workspace.model, "teapot");
   EXPECT_EQ(frameOf(asked->workspace, 0)->camera.fov_deg, 50.0f);
+  EXPECT_THAT(request({"--pointer", "30,40"})->window.pointer, ElementsAre(30.0f, 40.0f));
   EXPECT_TRUE(request({"--vsync", "teapot"})->window.waits_for_screen) << "a flag takes no other word";
 }
 

@@ -61,14 +61,14 @@ Result<bool> MapThumbnails::follow(const Workspace& workspace) {
   if (making_.isRunning() || isDone(workspace)) return false;
   MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
   const auto is_let_go = [&](const auto& each) {
-    return !contains(workspace.maps, each.first.name) || each.first != keyOf(workspace, each.first.name);
+    return !contains(workspace.maps, each.first.first) || each.first != keyOf(workspace, each.first.first);
   };
   if (std::erase_if(on_->pictures, is_let_go) > 0) return true;
   for (const std::string& map : workspace.maps) {
     made_ = keyOf(workspace, map);
     if (on_->pictures.contains(made_)) continue;
     AskedMap asked{map};
-    if (made_.is_photograph) asked.photo = workspace.photos.at(map);
+    if (made_.second) asked.photo = workspace.photos.at(map);
     making_.begin([asked](const ProgressFunction& progress) { return thumbnailOf(asked, progress); });
     break;
   }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -34,13 +34,8 @@ class MapThumbnails {
   std::vector<MapThumbnail> of(const Workspace& workspace) const;
 
  private:
-  /// A photograph that is unwrapped otherwise looks much the same in small.
-  struct Key {
-    std::string name;
-    bool is_photograph = false;
-
-    auto operator<=>(const Key&) const = default;
-  };
+  /// A map, and whether it is a photograph: one that is unwrapped otherwise looks much the same in small.
+  using Key = std::pair<std::string, bool>;
   static Key keyOf(const Workspace& workspace, const std::string& map);
 
   struct OnDevice {

@@ -69,7 +69,9 @@ std::optional<ControlValue> valueWidget(const PanelRow& row) {
   } else if (auto* number = std::get_if<int>(&value)) {
     is_changed = row.choices.empty() ? integerWidget(row, *number) : choiceWidget(row, *number);
   } else if (auto* numbers = std::get_if<std::vector<float>>(&value)) {
-    if (numbers->empty()) {  // what is not given is written, and then dragged
+    // What is not given is written, and then dragged; a matrix has no place for a field of each number.
+    constexpr std::size_t kMostFields = 4;
+    if (numbers->empty() || numbers->size() > kMostFields) {
       std::string text = row.text;
       if (!textWidget(text)) return std::nullopt;
       return text;
@@ -140,24 +142,30 @@ namespace {
 ImU32 colorOf(glm::vec3 color) { return ImGui::GetColorU32({color.x, color.y, color.z, 1.0f}); }
 ImVec2 placeOf(glm::vec2 place) { return {place.x, place.y}; }
 
+/// How many times as large as usual all is drawn: the letters say.
+float drawnScale() {
+  constexpr float kUsualLetters = 13.0f;
+  return ImGui::GetFontSize() / kUsualLetters;
+}
+
 void drawLines(ImDrawList& list, const std::vector<DrawnLine>& lines, glm::vec2 corner, glm::vec2 scale) {
   for (const DrawnLine& line : lines)
     for (std::size_t i = 1; i < line.places.size(); ++i)
       list.AddLine(placeOf(corner + scale * line.places[i - 1]), placeOf(corner + scale * line.places[i]),
-                   colorOf(line.color), 1.5f);
+                   colorOf(line.color), 1.5f * drawnScale());
 }
 
 void drawDot(ImDrawList& list, glm::vec2 place, glm::vec3 color) {
-  constexpr float kRadius = 4.0f;
-  list.AddCircleFilled(placeOf(place), kRadius, colorOf(color));
-  list.AddCircle(placeOf(place), kRadius + 1.0f, colorOf(glm::vec3(0.0f)));
+  const float radius = 4.0f * drawnScale();
+  list.AddCircleFilled(placeOf(place), radius, colorOf(color));
+  list.AddCircle(placeOf(place), radius + 1.0f, colorOf(glm::vec3(0.0f)));
 }
 
 void drawPlot(const Plot& plot) {
-  constexpr float kHeight = 100.0f;
+  const float height = 100.0f * drawnScale();
   ImGui::TextWrapped("%s", plot.title.c_str());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const glm::vec2 size(ImGui::GetContentRegionAvail().x, kHeight);
+  const glm::vec2 size(ImGui::GetContentRegionAvail().x, height);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_Border));
   drawLines(list, plot.lines, {corner.x, corner.y}, size);
@@ -168,12 +176,13 @@ void drawPlot(const Plot& plot) {
 void drawMarkedPicture(const MarkedPicture& picture) {
   ImGui::TextUnformatted(picture.title.c_str());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.texture)), placeOf(picture.size_px),
-               {0, 1}, {1, 0});
+  const glm::vec2 scale(drawnScale());
+  ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.texture)),
+               placeOf(scale * glm::vec2(picture.size_px)), {0, 1}, {1, 0});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  drawLines(list, picture.lines, {corner.x, corner.y}, glm::vec2(1.0f));
+  drawLines(list, picture.lines, {corner.x, corner.y}, scale);
   for (const DrawnLine& dot : picture.dots)
-    for (const glm::vec2 place : dot.places) drawDot(list, glm::vec2(corner.x, corner.y) + place, dot.color);
+    for (const glm::vec2 place : dot.places) drawDot(list, glm::vec2(corner.x, corner.y) + scale * place, dot.color);
 }
 
 /// A text in lines as wide as there is place. Dear ImGui's own may end a line within a number, after its point.

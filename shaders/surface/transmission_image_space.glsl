@@ -9,8 +9,8 @@ uniform sampler2D back_faces;
 
 float iorAround() { return iorAroundVertices(); }
 
-const int kSearchSteps = 12;
-const int kNewtonSearchSteps = 5;  // where the picture jumps from one face to another, the others halve what is left
+const int kSearchSteps = 14;
+const int kNewtonSearchSteps = 5;  // then steps that do not become shorter halve what is left
 const float kNearEnough = 2e-3;  // of the way; the last step brings it nearer by far
 
 // Where the picture of back faces shows a place, in texels; beside it on its border. What is behind the eye is nowhere.
@@ -50,6 +50,7 @@ float wayOut(vec3 origin, vec3 direction, out BackFace face) {
   float inside = 0.0;
   float outside = kNoBackFace;
   float at = 0.0;
+  float step_before = 0.0;
   for (int i = 0; i < kSearchSteps; ++i) {
     bool is_out = !is_seen || dot(origin + at * direction - seen.place, seen.normal) > 0.0;
     float next = is_seen ? wayToBackFace(seen, origin, direction) : kNoBackFace;
@@ -63,11 +64,14 @@ float wayOut(vec3 origin, vec3 direction, out BackFace face) {
       face = seen;
       return next;
     }
-    bool halves = outside < kNoBackFace && i >= kNewtonSearchSteps;
+    // Where the picture jumps from one face to another, Newton's steps go to and fro (Brent 1973, "Algorithms for
+    // minimization without derivatives", ch. 4).
+    bool halves = outside < kNoBackFace && i >= kNewtonSearchSteps && abs(next - at) > 0.5 * step_before;
     if (halves || next < inside || next > outside || next == kNoBackFace) {
       next = outside < kNoBackFace ? 0.5 * (inside + outside) : at + stride;
       stride *= 2.0;
     }
+    step_before = abs(next - at);
     at = next;
     is_seen = backFaceAt(shownAt(origin + at * direction), seen);
   }

@@ -137,6 +137,27 @@ TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
   EXPECT_GT(psnr("screen", "0"), 24.0);
 }
 
+// Towards its rim Newton's method takes more steps to the back faces, none of which may be halved.
+TEST_P(BehindTest, TheSearchForABallsBackFacesEndsOnThem) {
+  Scene scene = glassBeforeLamps();
+  scene.instances.resize(1);
+  Renderer renderer = testing::rendererFor(scene, Environment(testing::smoothRadiance, 64));
+  FrameSettings settings = frontOfGlass(renderer);
+  settings.samples = 1;
+  settings.inner_bounces = 1;
+  settings.refraction = RefractionKind::image_space;
+  const auto searched = renderer.renderRadiance(settings);
+  settings.refraction = RefractionKind::traced;
+  const auto traced = renderer.renderRadiance(settings);
+  ASSERT_TRUE(searched && traced);
+  float largest = 0.0f;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      if (glm::length((glm::vec2(x, y) + 0.5f) / 64.0f - 0.5f) * kGlassWide < 0.98f)
+        largest = std::max(largest, glm::distance(rgbAt(*searched, x, y), rgbAt(*traced, x, y)));
+  EXPECT_LT(largest, 5e-3f);
+}
+
 // Beside the picture there is nothing that a copy of it could show.
 TEST_P(BehindTest, WhatIsNotInThePictureIsNotSeenThroughGlass) {
   Renderer renderer = testing::rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 64));

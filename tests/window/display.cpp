@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <thread>
 
 #include <fcntl.h>
@@ -73,16 +75,14 @@ bool isInstalled(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-Display::Display(const std::string& options) {
+Display::Display(const std::string& options)
+    : Display(Server{"Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 " + options}) {}
+
+Display::Display(const Server& server) {
   // The server chooses a number that is free, and tells it.
   const std::string told =
       std::filesystem::temp_directory_path() / ("mirrorball_display_" + std::to_string(::getpid()));
-  server_ = std::make_unique<Process>(
-      std::vector<std::string>{"sh", "-c",
-                               "exec Xvfb -displayfd 3 -nolisten tcp -screen 0 1700x800x24 " + options +
-                                   " "
-                                   "3>" +
-                                   told});
+  server_ = std::make_unique<Process>(std::vector<std::string>{"sh", "-c", "exec " + server.command + " 3>" + told});
   for (int tries = 0; tries < 500 && name_.size() < 2; ++tries) {
     sleepFor(0.02);
     std::string number = outputOf("cat " + told + " 2>/dev/null");
@@ -100,6 +100,44 @@ Display::Display(const std::string& options) {
     is_there_ = std::filesystem::exists(ready);
   }
   std::filesystem::remove(ready);
+}
+
+std::unique_ptr<Display> Display::withTwoMonitors() {
+  constexpr std::string_view kConfiguration = R"(
+Section "Device"
+  Identifier "device"
+  Driver "dummy"
+  VideoRam 65536
+EndSection
+Section "Monitor"
+  Identifier "monitor"
+  HorizSync 5-1000
+  VertRefresh 5-200
+  Modeline "1700x800" 110 1700 1720 1740 1760 800 805 810 830
+EndSection
+Section "Screen"
+  Identifier "screen"
+  Device "device"
+  Monitor "monitor"
+  DefaultDepth 24
+  SubSection "Display"
+    Depth 24
+    Modes "1700x800"
+  EndSubSection
+EndSection
+)";
+  for (const char* program : {"Xorg", "xrandr"})
+    if (!isInstalled(program)) return nullptr;
+  const std::string file = std::filesystem::temp_directory_path() / ("mirrorball_xorg_" + std::to_string(::getpid()));
+  std::ofstream(file) << kConfiguration;
+  std::unique_ptr<Display> display(new Display(Server{"Xorg -config " + file + " -logfile " + file + ".log " +
+                                                      "-noreset -novtswitch -sharevts -displayfd 3 -nolisten tcp"}));
+  for (const std::string& each : {file, file + ".log", file + ".log.old"}) std::filesystem::remove(each);
+  if (!display->isThere()) return nullptr;
+  const bool has_two = std::system(
+                           "xrandr --addmode DUMMY1 1280x800 2>/dev/null && "
+                           "xrandr --output DUMMY1 --mode 1280x800 --right-of DUMMY0 2>/dev/null") == 0;
+  return has_two ? std::move(display) : nullptr;
 }
 
 std::string Display::hand(const std::string& words) const { return outputOf("xdotool " + words + " 2>/dev/null"); }

@@ -39,6 +39,11 @@ class Display {
   /// options   of the server: "-extension GLX"
   explicit Display(const std::string& options = "");
 
+  /// One of two monitors, the second of 1280 × 800 pixels at the right of the first: Xorg's, with its dummy driver.
+  ///
+  /// returns  nothing: that is not installed, or may not be started by this user
+  static std::unique_ptr<Display> withTwoMonitors();
+
   bool isThere() const { return is_there_; }
   const std::string& name() const { return name_; }
 
@@ -54,6 +59,11 @@ class Display {
   Image8 photograph() const;
 
  private:
+  struct Server {
+    std::string command;  ///< as a shell takes it, with 3 for the number of its display
+  };
+  explicit Display(const Server& server);
+
   std::string name_;
   std::unique_ptr<Process> server_;
   std::unique_ptr<Process> manager_;

@@ -94,6 +94,12 @@ class WindowTest : public ::testing::Test {
     return !now.empty() && *std::max_element(now.begin(), now.end()) > 100;
   }
 
+  static Image8 columnsOf(const Image8& all, int left, int width) {
+    Image8 part(width, all.height(), 3);
+    for (int y = 0; y < all.height(); ++y) std::copy_n(all.texel(left, y), 3 * width, part.texel(0, y));
+    return part;
+  }
+
   /// Whether a photograph has a picture somewhere, its rows below each other.
   static bool isOn(const Image8& photograph, const Image8& picture) {
     for (int top = 0; top + picture.height() <= photograph.height(); ++top)
@@ -190,6 +196,34 @@ TEST_F(WindowTest, ShowsFilesThatAreDropped) {
       {MIRRORBALL_PROGRAM, "render", model, "-e", map, "--samples", "1", "--size", "700x424", "-o", rendered}, log_);
   ASSERT_EQ(render.waitFor(60.0), 0) << textOf(log_);
   EXPECT_TRUE(isOn(display_->photograph(), pictureFromLinear(readImage(rendered)->image, 3)));
+}
+
+TEST_F(WindowTest, GoesOnOnAnotherMonitor) {
+  display_.reset();
+  display_ = Display::withTwoMonitors();
+  if (!display_) GTEST_SKIP() << "skipped: there is no Xorg with its dummy driver that this user may start";
+  const std::string rendered = folder_ + "/rendered.png";
+  const std::vector<std::string> words{"sphere",    "-e", "studio", "--quality", "draft",
+                                       "--samples", "1",  "--size", "700x500"};
+  std::vector<std::string> to_render{MIRRORBALL_PROGRAM, "render", "-o", rendered};
+  to_render.insert(to_render.end(), words.begin(), words.end());
+  Process render(to_render, log_);
+  ASSERT_EQ(render.waitFor(120.0), 0) << textOf(log_);
+  const Image8 picture = pictureFromLinear(readImage(rendered)->image, 3);
+  open(words);
+  EXPECT_TRUE(isOn(display_->photograph(), picture));
+  const std::string window = display_->hand("search --name ^Mirrorball$");
+  display_->hand("windowmove " + window.substr(0, window.find('\n')) + " 1760 60");
+  settle();
+  EXPECT_FALSE(isOn(columnsOf(display_->photograph(), 0, 1700), picture));
+  EXPECT_TRUE(isOn(columnsOf(display_->photograph(), 1700, 1280), picture));
+  // And hands reach it there.
+  display_->hand("mousemove 2000 300 mousedown 1 mousemove 2060 300 sleep 0.2 mousemove 2100 330 sleep 0.2 mouseup 1");
+  settle();
+  EXPECT_FALSE(isOn(display_->photograph(), picture));
+  display_->hand("key ctrl+z");
+  settle();
+  EXPECT_TRUE(isOn(columnsOf(display_->photograph(), 1700, 1280), picture));
 }
 
 TEST_F(WindowTest, ReadsNothingOutsideTheFolderOfADroppedModel) {

@@ -261,7 +261,7 @@ void drawSide(const SideStatus& side) {
     ImGui::Text("%d x %d, %d of %d paths, noise %.2g", size.x, size.y, side.samples, side.wanted_samples,
                 static_cast<double>(side.noise));
   else
-    ImGui::TextUnformatted(samplesText(side).c_str());
+    drawLine(samplesText(side));
   if (side.light.reads > 0 && !side.is_traced)
     ImGui::Text("light: %d look-ups, %.1f MiB", side.light.reads,
                 static_cast<double>(side.light.texture_bytes) / 1048576.0);

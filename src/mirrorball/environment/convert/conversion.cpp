@@ -226,26 +226,30 @@ bool Conversion::seesBorder(const Tile& tile, const PointsPerTexel& points, cons
   return true;
 }
 
-/// Whether something in a tile, or at its border, is many times brighter than the rest of the tile, and light not
-/// smooth. A texel that is 64 times brighter than 511 others has a ninth of their light, of which the 17 % by which one
-/// look-up may be off are 2 %. Gaps of sky between leaves differ as much from one texel to the next, but by less from
-/// all; they are many, what one is off by another makes up for, and a mean would blur them.
+/// Whether something in a tile, or at its border, is small and many times brighter than the rest of the tile, and light
+/// not smooth. A texel that is 64 times brighter than 511 others has a ninth of their light, of which the 17 % by which
+/// one look-up may be off are 2 %. Gaps of sky between leaves differ as much from one texel to the next, but by less
+/// from all; they are many, what one is off by another makes up for, and a mean would blur them.
 bool Conversion::hasSun(const Tile& tile, const TileLight& light, const Border& border) {
+  constexpr float kSmall = 1.0f / 8.0f;  // of a tile's area
   constexpr float kBrighter = 64.0f;
   constexpr float kPart = 1.0f / 8.0f;  // of a sun's light: what is as bright belongs to it
   if (border.smoothness == 1.0f && light.least_smoothness == 1.0f) return false;
   const auto count = static_cast<std::size_t>(tile.count());
   float highest = border.highest;
   for (std::size_t index = 0; index < count; ++index) highest = std::max(highest, brightness(light.radiance[index]));
-  float sum = 0.0f;
+  float sum = 0.0f, of_others = 0.0f;
   std::size_t others = 0;
   for (std::size_t index = 0; index < count; ++index) {
     const float here = brightness(light.radiance[index]);
-    if (here >= kPart * highest) continue;
     sum += here;
+    if (here >= kPart * highest) continue;
+    of_others += here;
     ++others;
   }
-  return highest * static_cast<float>(others) > kBrighter * sum || others == 0;
+  // As if the tile were whole: where a map ends it may be a few texels wide, and a sun most of it.
+  const bool is_small = kSmall * highest * static_cast<float>(kTileTexels) > sum;
+  return is_small && (others == 0 || highest * static_cast<float>(others) > kBrighter * of_others);
 }
 
 /// Whether light at a texel of a tile or beside it is not smooth: a look-up at its centre does not see all that its

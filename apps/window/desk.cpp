@@ -141,7 +141,10 @@ void Desk::draw(Viewer& viewer, glm::ivec2 picture_px) {
   ImGui::Begin("Options", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse);
   drawStatus(viewer);
   drawUnderPointer(under);
+  // In a comparison Tab leads to the other half, else from field to field.
+  ImGui::PushAllowKeyboardFocus(viewer.workspace().compare_by == CompareBy::none);
   drawPanels(viewer, search_, std::exchange(wants_search_, false));
+  ImGui::PopAllowKeyboardFocus();
   ImGui::End();
   drawDialog(viewer, picture_px);  // last: Dear ImGui lets no window appear behind one
   ImGui::Render();
@@ -228,13 +231,13 @@ void Desk::accept(Viewer& viewer) {
                                .frames = frames_,
                                .plays = plays_,
                                .side = editedSide(viewer.workspace())});
-  const auto saved = saveWorkspace(path(), viewer.workspace());
+  const auto saved = saveWorkspace(path(), viewer.stillWorkspace());
   told_ = saved ? "wrote " + path() : saved.error().message;
   if (saved && recent_) recent_->note(path());
 }
 
 void Desk::copyCommandLine(const Viewer& viewer) {
-  const auto line = renderCommandLine(viewer.workspace(), editedSide(viewer.workspace()));
+  const auto line = renderCommandLine(viewer.stillWorkspace(), editedSide(viewer.workspace()));
   if (!line) {
     told_ = line.error().message;
     return;
@@ -279,7 +282,8 @@ void drawAnimation(Viewer& viewer, const AnimationStatus& animation) {
     ImGui::EndCombo();
   }
   float seconds = animation.seconds;
-  if (animation.shown && ImGui::SliderFloat("seconds", &seconds, 0.0f, animation.length_s))
+  if (animation.shown &&
+      ImGui::SliderFloat("seconds", &seconds, 0.0f, animation.length_s, "%.3f", ImGuiSliderFlags_AlwaysClamp))
     history.change("Another moment", withMoment(viewer.workspace(), name, seconds), true);
   if (ImGui::IsItemDeactivated()) history.endGesture();
   if (ImGui::SmallButton(animation.plays ? "stop" : "play")) commandOfKey("Space")->perform(history);

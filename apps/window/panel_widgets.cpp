@@ -240,7 +240,7 @@ void drawThumbnails(Viewer& viewer, float scale) {
                           ImGui::GetStyleColorVec4(each.is_shown ? ImGuiCol_HeaderActive : ImGuiCol_Button));
     const ImVec2 size(96.0f * scale, 48.0f * scale);
     const bool is_chosen =
-        each.texture == 0 ? ImGui::Button("…", size)
+        each.texture == 0 ? ImGui::Button("...", size)
                           : ImGui::ImageButton(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(each.texture)),
                                                size, {0, 1}, {1, 0}, 3);
     if (is_chosen) viewer.history().change("Another panorama", withMapShown(viewer.workspace(), i));

@@ -157,7 +157,7 @@ Result<void> Session::advance() {
 /// framebuffer   0 is the window's
 Result<void> Session::draw(unsigned framebuffer) {
   const glm::ivec2 picture_px = pictureSize();
-  if (viewer_.hasPicture()) MIRRORBALL_TRY_VOID(viewer_.show(framebuffer, {0, desk_.stripHeight(viewer_)}, picture_px));
+  MIRRORBALL_TRY_VOID(viewer_.show(framebuffer, {0, desk_.stripHeight(viewer_)}, picture_px));
   return viewer_.leave();
 }
 
@@ -179,6 +179,7 @@ Result<bool> Session::step() {
 }
 
 Result<void> Session::saveScreenshot(const std::string& path) {
+  viewer_.history().goOn(viewer_.stillWorkspace());
   constexpr int kFrames = 4;  // menus and tables find their sizes in the first
   ImGui::GetIO().ConfigInputTextCursorBlink = false;
   MIRRORBALL_TRY(shot, Screenshot::make(windowSize()));

@@ -61,7 +61,8 @@ class Session {
   /// errors   no_gl; what the viewer's status says if it cannot show what it was asked for; Screenshot::save's
   Result<void> saveScreenshot(const std::string& path);
 
-  const Workspace& workspace() const { return viewer_.workspace(); }
+  /// As it is to be kept.
+  Workspace workspace() const { return viewer_.stillWorkspace(); }
   /// Says a line above the options.
   void tell(const std::string& line) { desk_.tell(line); }
 

@@ -60,7 +60,7 @@ glm::vec2 pointerOf(GLFWwindow* window) {
 
 // Panels come first.
 bool panelsTakePointer() { return ImGui::GetIO().WantCaptureMouse; }
-bool panelsTakeKeys() { return ImGui::GetIO().WantTextInput; }
+bool panelsTakeKeys() { return ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
 
 }  // namespace
 

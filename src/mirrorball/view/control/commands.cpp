@@ -56,7 +56,11 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
      [](History& history) {
        Workspace next = history.now();
        next.plays = !next.plays;
-       history.change("Play", std::move(next));
+       // The end belongs to the step that it ends.
+       if (next.plays)
+         history.change("Play", std::move(next));
+       else
+         history.goOn(std::move(next));
      }},
     {"next-map", "Next panorama", "Light", "]", "", stepMap<1>},
     {"previous-map", "Panorama before", "Light", "[", "", stepMap<-1>},
@@ -86,7 +90,9 @@ constexpr auto kCommands = std::to_array<ViewerCommand>({
      compare<CompareBy::flip_error>},
     {"edit-other", "Edit the other half", "Compare", "Tab", "",
      [](History& history) {
-       history.change("Edit the other half", withEditedSide(history.now(), 1 - history.now().edited_side));
+       const Workspace& now = history.now();
+       if (now.compare_by == CompareBy::none) return;
+       history.change("Edit the other half", withEditedSide(now, 1 - now.edited_side));
      }},
     {"truth", "The truth, and back", "Compare", "T", "",
      [](History& history) { history.change("Compare with the truth", withTruth(history.now())); }},

@@ -37,12 +37,11 @@ std::optional<Workspace> nextMoment(const Workspace& now, const Scene& rest, dou
 std::optional<Workspace> AnimationPlayer::advance(double seconds, const Workspace& now, const Scene& rest,
                                                   const Scene& shown, const FrameSettings& frame) {
   if (!now.plays) {
-    const bool has_stopped = before_ && stance_ == now.stance;  // else something was undone
-    const BoundingSphere bounds = boundingSphere(shown);
-    auto still = has_stopped ? standingStill(frame, bounds) : fail(ErrorCode::usage, "");
+    const bool has_stopped = stance_ == now.stance;  // else something was undone
+    std::optional<Workspace> still;
+    if (has_stopped) still = stopped(now, frame, boundingSphere(shown));
     before_.reset();
-    if (!still || !frame.camera.name.empty()) return std::nullopt;
-    return withCamera(now, still->camera);
+    return still;
   }
   auto next = nextMoment(now, rest, seconds);
   if (!next) return std::nullopt;
@@ -52,6 +51,13 @@ std::optional<Workspace> AnimationPlayer::advance(double seconds, const Workspac
   }
   stance_ = next->stance;
   return next;
+}
+
+Workspace AnimationPlayer::stopped(Workspace now, const FrameSettings& frame, const BoundingSphere& bounds) const {
+  if (!before_) return now;
+  now.plays = false;
+  const auto still = standingStill(frame, bounds);
+  return still && frame.camera.name.empty() ? withCamera(std::move(now), still->camera) : now;
 }
 
 Result<FrameSettings> AnimationPlayer::standingStill(FrameSettings settings, const BoundingSphere& bounds) const {

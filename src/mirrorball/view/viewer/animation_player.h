@@ -25,6 +25,12 @@ class AnimationPlayer {
   std::optional<Workspace> advance(double seconds, const Workspace& now, const Scene& rest, const Scene& shown,
                                    const FrameSettings& frame);
 
+  /// The same workspace with the animation stopped, whose camera is told of the moment that is shown.
+  ///
+  /// frame    as advance takes it
+  /// bounds   of the model at that moment
+  Workspace stopped(Workspace now, const FrameSettings& frame, const BoundingSphere& bounds) const;
+
   bool isPlaying() const { return before_.has_value(); }
 
   /// Of a model that plays what hands measure by: its bounds when that began.

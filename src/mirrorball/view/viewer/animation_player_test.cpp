@@ -115,6 +115,46 @@ TEST_F(AnimationPlayerTest, AHandMovesTheCameraMeanwhile) {
   EXPECT_EQ(viewer.workspace(), walking());
 }
 
+TEST_F(AnimationPlayerTest, OneUndoLeadsBackToBeforeItPlayed) {
+  const Workspace start = walking();
+  Viewer viewer(device(), start, kViewerSize);
+  finish(viewer);
+  viewer.handle(KeyPressed{"Space"});
+  advance(viewer, 0.3);
+  viewer.handle(KeyPressed{"Space"});
+  finish(viewer);
+  EXPECT_TRUE(viewer.history().undo());
+  EXPECT_EQ(viewer.workspace(), start);
+}
+
+TEST_F(AnimationPlayerTest, WhatIsKeptMeanwhileIsWhatIsSeen) {
+  Viewer viewer(device(), walking(), kViewerSize);
+  finish(viewer);
+  const glm::vec2 seen = stillTriangle(viewer);
+  viewer.handle(KeyPressed{"Space"});
+  advance(viewer, 0.6);
+  const Workspace kept = viewer.stillWorkspace();
+  EXPECT_FALSE(kept.plays);
+  Viewer other(device(), kept, kViewerSize);
+  finish(other);
+  EXPECT_LT(glm::distance(stillTriangle(other), seen), 0.02f);
+}
+
+TEST_F(AnimationPlayerTest, StandsStillWhileTheMapAloneIsSeen) {
+  Viewer viewer(device(), walking(), kViewerSize);
+  finish(viewer);
+  viewer.handle(KeyPressed{"Space"});
+  advance(viewer, 0.3);
+  viewer.handle(KeyPressed{"M"});
+  finish(viewer);
+  const Workspace still = viewer.workspace();
+  advance(viewer, 0.3);
+  EXPECT_EQ(viewer.workspace(), still);
+  viewer.handle(KeyPressed{"M"});
+  advance(viewer, 0.3);
+  EXPECT_NE(viewer.workspace().stance, still.stance) << "it goes on";
+}
+
 TEST_F(AnimationPlayerTest, AModelWithoutAnimationsStands) {
   Workspace workspace;
   workspace.model = "sphere";

@@ -69,6 +69,17 @@ TEST_F(ViewerComparisonTest, ALineDividesBothHalves) {
   }
 }
 
+TEST_F(ViewerComparisonTest, AHalfThatGetsAPanoramaOfItsOwnShowsIt) {
+  Viewer viewer(device(), comparison(CompareBy::flip), kViewerSize);
+  finish(viewer);
+  viewer.history().change("Edit", withEditedSide(viewer.workspace(), 1));
+  finish(viewer);
+  const Image8 before = *viewer.picture();
+  viewer.history().change("Choose", withMapShown(viewer.workspace(), 1));
+  finish(viewer);
+  EXPECT_GT(differing(*viewer.picture(), before, 0, kViewerSize.x), 100);
+}
+
 TEST_F(ViewerComparisonTest, AKeyFlipsBetweenBothHalves) {
   Workspace workspace = comparison(CompareBy::flip);
   const Image8 first = halfOf(device(), workspace, 0), second = halfOf(device(), workspace, 1);

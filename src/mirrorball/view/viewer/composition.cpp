@@ -35,6 +35,14 @@ void withoutEncoding(const gl::Context& context, const Draw& draw) {
 
 }  // namespace
 
+void showNothing(const FramebufferPart& part) {
+  glBindFramebuffer(GL_FRAMEBUFFER, part.framebuffer);
+  keepColumns(part, 0, part.size_px.x);
+  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
 void showPicture(const gl::Context& context, const gl::Framebuffer& picture, const FramebufferPart& part) {
   withoutEncoding(context, [&] { stretch(picture, part); });
 }

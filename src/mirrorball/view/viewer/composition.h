@@ -14,6 +14,9 @@ struct FramebufferPart {
   glm::ivec2 size_px{1};
 };
 
+/// Fills it with black.
+void showNothing(const FramebufferPart& part);
+
 /// Shows a picture, which is encoded for a display, stretched to the part. The framebuffer stays bound.
 void showPicture(const gl::Context& context, const gl::Framebuffer& picture, const FramebufferPart& part);
 

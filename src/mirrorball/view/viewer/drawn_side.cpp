@@ -37,6 +37,7 @@ void DrawnSide::lookAt(LitStage& stage) {
   viewed_ = &stage.stage().state();
   view_.emplace(stage.stage());
   preparing_.cancel();
+  sorting_.cancel();
   begun_.reset();
 }
 

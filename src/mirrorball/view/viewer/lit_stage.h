@@ -27,7 +27,7 @@ class LitStage {
 
   bool isReady() const { return has_light_ && model_version_ > 0; }
   bool isUpToDate(const ShownModel& model, const AskedMap& map) const;
-  /// Counts its changes.
+  /// Another after each of its changes, and another than any other stage's.
   int version() const { return version_; }
 
   Stage& stage() { return stage_; }

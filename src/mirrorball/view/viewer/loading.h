@@ -55,11 +55,14 @@ class LoadingByName {
   using Load = std::function<Result<Value>(const Name& name, const ProgressFunction& progress)>;
 
   /// Begins to load it, unless it was asked for last.
-  void askFor(const Name& name, Load load) {
-    if (asked_for_ == name) return;
+  ///
+  /// returns  whether it has begun
+  bool askFor(const Name& name, Load load) {
+    if (asked_for_ == name) return false;
     asked_for_ = name;
     problem_.clear();
     task_.begin([name, load = std::move(load)](const ProgressFunction& progress) { return load(name, progress); });
+    return true;
   }
 
   /// Loads it again when it is next asked for: its files have changed.

@@ -36,9 +36,10 @@ constexpr int kSmallHeight_px = 120;
 ShownMap::ShownMap(const Device& device) : on_(new OnDevice{device}) {}
 
 void ShownMap::follow(const AskedMap& map, const std::optional<CacheFolder>& cache) {
-  loading_.askFor(map, [cache](const AskedMap& asked, const ProgressFunction& progress) {
+  const bool has_begun = loading_.askFor(map, [cache](const AskedMap& asked, const ProgressFunction& progress) {
     return viewedMap(asked, cache, progress);
   });
+  if (has_begun) watch_.watch({map.name});
   auto ready = loading_.take();
   if (!ready) return;
   watch_.watch({loading_.name()});

@@ -25,9 +25,11 @@ Result<Scene> standingAs(Scene scene, const ModelStance& stance) {
 }  // namespace
 
 bool ShownModel::follow(const Workspace& workspace, bool inside_only) {
-  loading_.askFor(workspace.model, [inside_only](const std::string& name, const ProgressFunction& progress) {
-    return loadedModel(name, inside_only, progress);
-  });
+  const bool has_begun =
+      loading_.askFor(workspace.model, [inside_only](const std::string& name, const ProgressFunction& progress) {
+        return loadedModel(name, inside_only, progress);
+      });
+  if (has_begun) watch_.watch({workspace.model});  // until it is known what was read
   const bool is_other = take();
   // What is said of a model is said of the one that is asked for.
   if (!isThere() || isAs(workspace) || loading_.isRunning() || !loading_.problem().empty()) return is_other;

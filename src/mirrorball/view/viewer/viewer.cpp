@@ -33,9 +33,15 @@ Viewer::State::State(const Device& on, Workspace start, glm::ivec2 size, ViewerO
 
 bool Viewer::State::moves() const { return since_moved_s < kRest_s; }
 
-ShownPicture Viewer::State::shown() const {
+FrameSettings Viewer::State::movedFrame() const {
   FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
+  frame.size = size_px;
   standOnGround(frame);
+  return frame;
+}
+
+ShownPicture Viewer::State::shown() const {
+  const FrameSettings frame = movedFrame();
   const float aspect = static_cast<float>(size_px.x) / static_cast<float>(size_px.y);
   const Stage& stage = stages[0]->stage();
   return {.camera = placedCamera(stage.scene(), stage.bounds(), frame.camera, aspect),
@@ -55,11 +61,8 @@ void Viewer::State::play(double seconds) {
   if (!now().plays && !player.isPlaying()) return;
   since_moment_s = player.isPlaying() ? since_moment_s + std::max(seconds, 0.0) : 0.0;
   if (now().plays && !isMomentSeen()) return;
-  FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
-  frame.size = size_px;
-  standOnGround(frame);
   const Scene& shown = stages[0]->stage().scene();
-  auto next = player.advance(std::exchange(since_moment_s, 0.0), now(), model.rest(), shown, frame);
+  auto next = player.advance(std::exchange(since_moment_s, 0.0), now(), model.rest(), shown, movedFrame());
   if (!next) return;
   has_just_moved = player.isPlaying();
   history.goOn(std::move(*next));
@@ -166,13 +169,13 @@ Result<bool> Viewer::advance(double seconds) {
   const bool moved = state.moves();
   state.since_moved_s = std::exchange(state.has_just_moved, false) ? 0.0 : state.since_moved_s + std::max(seconds, 0.0);
   if (moved && !state.moves() && !state.gesture.isGoingOn()) state.history.endGesture();
-  state.play(seconds);
+  if (!state.now().shows_map) state.play(seconds);
   state.askDisk(seconds);
   state.watchPhotos(seconds);
   MIRRORBALL_TRY(is_other_thumbnail, state.thumbnails.follow(state.now()));
   if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
   if (state.needsMap())
-    state.map.follow(state.restingMap(editedSide(state.now()), state.map.loading().asked()), state.options.cache);
+    state.map.follow(state.restingMap(state.sideOfMap(), state.map.loading().asked()), state.options.cache);
   const auto drawn = state.now().shows_map ? state.advanceMap() : state.advanceModel();
   return is_other_thumbnail && drawn ? Result<bool>(true) : drawn;
 }
@@ -186,9 +189,9 @@ Result<bool> Viewer::State::advanceModel() {
 
 bool Viewer::isDone() const {
   const State& state = *state_;
-  if (state.has_just_moved || state.moves() || state.player.isPlaying()) return false;
-  if (!state.thumbnails.isDone(state.now())) return false;
+  if (state.has_just_moved || state.moves() || !state.thumbnails.isDone(state.now())) return false;
   if (state.now().shows_map) return state.isMapDone();
+  if (state.player.isPlaying()) return false;
   if (state.clicked_px || !state.isUpToDate() || !state.isInspectorDone()) return false;
   const std::vector<std::size_t> sides = state.wantedSides();
   if (!std::all_of(sides.begin(), sides.end(), [&](std::size_t side) { return state.isSideDone(side); })) return false;
@@ -207,6 +210,12 @@ bool Viewer::isWaiting() const {
 }
 
 const Workspace& Viewer::workspace() const { return state_->now(); }
+
+Workspace Viewer::stillWorkspace() const {
+  const State& state = *state_;
+  return state.player.stopped(state.now(), state.movedFrame(), state.stages[0]->stage().bounds());
+}
+
 History& Viewer::history() { return state_->history; }
 
 ViewerStatus Viewer::status() const {
@@ -240,9 +249,12 @@ bool Viewer::hasPicture() const {
 }
 
 Result<void> Viewer::show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const {
-  if (!hasPicture()) return fail(ErrorCode::usage, "there is no picture yet");
   MIRRORBALL_TRY_VOID(state_->device.state().context.enter());
-  state_->show({framebuffer, corner, size_px});
+  const FramebufferPart part{framebuffer, corner, size_px};
+  if (hasPicture())
+    state_->show(part);
+  else
+    showNothing(part);
   return {};
 }
 
@@ -252,7 +264,8 @@ void Viewer::savePicture(PictureRequest request) {
   State& state = *state_;
   state.saving_path = request.path;
   state.saved_last.clear();
-  state.saving.begin([request = std::move(request), workspace = state.now(), inside_only = state.options.inside_only,
+  state.saving.begin([request = std::move(request), workspace = stillWorkspace(),
+                      inside_only = state.options.inside_only,
                       cache = state.options.cache](const ProgressFunction& progress) {
     return makePicture(workspace, request, inside_only, cache, progress);
   });

@@ -57,6 +57,8 @@ class Viewer {
   bool isWaiting() const;
 
   const Workspace& workspace() const;
+  /// As it is to be kept: of an animation that goes on the moment that is shown, seen as it is.
+  Workspace stillWorkspace() const;
   /// What was done; a change of it is seen with the next `advance`.
   History& history();
   ViewerStatus status() const;
@@ -73,11 +75,11 @@ class Viewer {
   /// Whether there is a picture.
   bool hasPicture() const;
   /// Draws the last picture into a part of a framebuffer, stretched to its size; of a comparison both halves or what
-  /// they differ by, as the workspace says.
+  /// they differ by, as the workspace says; black while there is none.
   ///
   /// framebuffer  OpenGL's name of it, of 8 bits a channel and one sample a pixel; 0 is a window's. It stays bound
   /// corner       the lower left one of that part [pixels]
-  /// errors       usage: there is no picture; no_gl
+  /// errors       no_gl
   Result<void> show(unsigned framebuffer, glm::ivec2 corner, glm::ivec2 size_px) const;
   /// Gives the context back to its host: Device::leave.
   ///

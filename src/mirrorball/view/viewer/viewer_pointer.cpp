@@ -54,7 +54,7 @@ MapCanvas Viewer::State::canvas() const { return mapCanvas(size_px, map.ball() ?
 
 std::optional<ShownBall> Viewer::State::shownBall() const {
   const PhotographedBall* ball = map.ball();
-  const AskedMap wanted = askedMap(now(), editedSide(now()));
+  const AskedMap wanted = askedMap(now(), sideOfMap());
   if (!now().shows_map || !ball || !wanted.photo || wanted.name != map.asked().name) return std::nullopt;
   const auto settings = ballPhotoOf(*wanted.photo);
   const MapLayout layout = mapLayout(map_settings, canvas());
@@ -75,6 +75,8 @@ std::vector<glm::vec2> Viewer::State::seenInMap() const {
   return direction ? pixelsOf(map_settings, canvas(), glm::vec3(*direction)) : std::vector<glm::vec2>();
 }
 
+std::size_t Viewer::State::sideOfMap() const { return now().shows_map ? editedSide(now()) : seenSides().front(); }
+
 Result<bool> Viewer::State::advanceMap() {
   const auto settings = mapViewOf(now());
   problem_of_picking = settings ? std::string() : settings.error().message;
@@ -84,14 +86,14 @@ Result<bool> Viewer::State::advanceMap() {
 
 bool Viewer::State::isMapDone() const {
   const MapViewSettings settings = mapViewOf(now()).value_or(map_settings);
-  return map.isDone(askedMap(now(), editedSide(now())), settings, canvas());
+  return map.isDone(askedMap(now(), sideOfMap()), settings, canvas());
 }
 
 bool Viewer::State::isInspectorDone() const {
   const std::size_t side = seenSides().front();
   if (!now().inspects || !stageOf(side).isReady()) return true;
   const auto frame = wanted(side);
-  const bool is_map_there = map.loading().isAskedFor(askedMap(now(), editedSide(now()))) && !map.loading().isRunning();
+  const bool is_map_there = map.loading().isAskedFor(askedMap(now(), sideOfMap())) && !map.loading().isRunning();
   return !frame || (is_map_there && inspector.isDone(stageOf(side), frame->drawn));
 }
 

@@ -45,6 +45,8 @@ struct Viewer::State {
   std::vector<std::size_t> wantedSides() const;
 
   // Hands.
+  /// Of the half that hands move, without what its quality fills in.
+  FrameSettings movedFrame() const;
   ShownPicture shown() const;
   void apply(std::optional<Change> change);
   Result<void> takeClick();
@@ -57,6 +59,8 @@ struct Viewer::State {
   std::optional<ShownBall> shownBall() const;
   /// Where the map shows what the ball reflects under the pointer.
   std::vector<glm::vec2> seenInMap() const;
+  /// The half whose panorama is looked at, alone or around what is inspected.
+  std::size_t sideOfMap() const;
   Result<bool> advanceMap();
   Result<void> advanceInspection();
   bool isMapDone() const;

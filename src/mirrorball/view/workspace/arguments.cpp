@@ -17,6 +17,7 @@
 #include "mirrorball/photo/likely_photograph.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/view/workspace/asked_map.h"
+#include "mirrorball/view/workspace/view_request.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
@@ -48,14 +49,15 @@ std::optional<Known> optionNamed(std::string_view name) {
   return std::nullopt;
 }
 
-/// The error of a name that no option has, with the one that is likely meant.
-tl::unexpected<Error> unknownOption(std::string_view name) {
+/// The error of a word that is no option, with the one that is likely meant.
+tl::unexpected<Error> unknownOption(const std::string& word) {
   const std::vector<Known> known = knownOptions();
   std::vector<std::string_view> names{"env", "reference"};
   for (const Known& each : known) names.push_back(each.text.name);
-  const auto meant = nearestWord(name, names);
-  return fail(ErrorCode::usage, "there is no option --" + excerpt(std::string(name)) +
-                                    (meant ? "; did you mean --" + std::string(*meant) + "?" : ""));
+  for (const auto& option : windowOptions()) names.push_back(option.text.name);
+  const auto meant = nearestWord(std::string_view(word).substr(word.find_first_not_of('-')), names);
+  return fail(ErrorCode::usage,
+              "there is no option " + excerpt(word) + (meant ? "; did you mean --" + std::string(*meant) + "?" : ""));
 }
 
 /// Words that are read one after the other.
@@ -105,18 +107,19 @@ struct Said {
 /// errors   usage
 Result<Said> saidNext(Words& words) {
   const std::string& word = words.next();
-  if (word == "-e" || word == "--env") {
-    MIRRORBALL_TRY(map, words.valueOf(word, std::nullopt));
-    return Said{.is_file = true, .is_environment = true, .word = std::move(map)};
-  }
-  if (!word.starts_with("--")) return Said{.is_file = true, .word = word};
-  const std::size_t equals = word.find('=');
-  const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-  if (name == "reference") return Said{.word = word};
-  const auto known = optionNamed(name);
-  if (!known) return unknownOption(name);
+  const bool is_long = word.starts_with("--");
+  if (!is_long && (word.size() < 2 || word.front() != '-')) return Said{.is_file = true, .word = word};
+  const std::size_t equals = is_long ? word.find('=') : std::string::npos;
+  const std::string name = word.substr(is_long ? 2 : 1, equals == std::string::npos ? equals : equals - 2);
   std::optional<std::string> value;
   if (equals != std::string::npos) value = word.substr(equals + 1);
+  if (name == (is_long ? "env" : "e")) {
+    MIRRORBALL_TRY(map, words.valueOf(word, std::move(value)));
+    return Said{.is_file = true, .is_environment = true, .word = std::move(map)};
+  }
+  if (name == "reference" && is_long && !value) return Said{.word = word};
+  const auto known = is_long ? optionNamed(name) : std::nullopt;
+  if (!known) return unknownOption(word.substr(0, equals));
   if (known->is_flag && !value) value = "yes";
   MIRRORBALL_TRY(text, words.valueOf(word, std::move(value)));
   return Said{.word = word, .option = known, .text = std::move(text)};
@@ -180,13 +183,14 @@ Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
     if (!names_environment && workspace.maps.size() == 2 && workspace.maps.front() == start.maps.front())
       workspace = withOnlyMap(std::move(workspace), std::string(workspace.maps.back()));
   }
+  bool wants_truth = false;
   for (const Said& said : all) {
-    if (said.is_file) continue;
-    MIRRORBALL_TRY(next, said.option
-                             ? withOption(std::move(workspace), said.option->table, said.option->text.name, said.text)
-                             : Result<Workspace>(withTruth(std::move(workspace))));
+    wants_truth = wants_truth || (!said.is_file && !said.option);
+    if (!said.option) continue;
+    MIRRORBALL_TRY(next, withOption(std::move(workspace), said.option->table, said.option->text.name, said.text));
     workspace = std::move(next);
   }
+  if (wants_truth && !isTraced(workspace, 0) && !isTraced(workspace, 1)) workspace = withTruth(std::move(workspace));
   if (is_builtin && !names_environment && workspace.model == start.model) return withShowcase(std::move(workspace));
   return workspace;
 }

@@ -59,6 +59,11 @@ TEST(Arguments, OpenAWorkspaceAsItIs) {
 TEST(Arguments, RefusesOthers) {
   EXPECT_THAT(read({"--no-such"}).error().message, HasSubstr("--no-such"));
   EXPECT_EQ(read({"--rougness=1"}).error().message, "there is no option --rougness; did you mean --ground-roughness?");
+  EXPECT_EQ(read({"--teme=light"}).error().message, "there is no option --teme; did you mean --theme?");
+  EXPECT_THAT(read({"-x"}).error().message, HasSubstr("there is no option -x"));
+  EXPECT_EQ(read({"--env=uv"})->maps, std::vector<std::string>{"uv"});
+  EXPECT_EQ(*read({"--reference", "--reference"}), *read({"--reference"}));
+  EXPECT_FALSE(read({"--reference=no"}));
   EXPECT_EQ(read({"--backgroud=light"}).error().message, "there is no option --backgroud; did you mean --background?");
   EXPECT_THAT(read({"--fov"}).error().message, HasSubstr("needs a value"));
   EXPECT_THAT(read({"--fov", "wide"}).error().message, HasSubstr("fov"));

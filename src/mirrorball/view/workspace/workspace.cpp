@@ -244,6 +244,7 @@ std::size_t indexOfMap(const Workspace& workspace, std::size_t side) {
 }  // namespace
 
 Workspace withMapShown(Workspace workspace, std::size_t map) {
+  if (indexOfMap(workspace, editedSide(workspace)) == map) return workspace;
   if (isComparing(workspace))
     workspace.sides[editedSide(workspace)].map = map;
   else
@@ -356,9 +357,9 @@ Workspace withLightTurned(Workspace workspace, glm::vec3 env_rotation_deg) {
 }
 
 Workspace withMoment(Workspace workspace, std::string animation, float seconds) {
-  ModelStance stance = stanceOf(workspace.stance).value_or(ModelStance());
-  stance.animation = {std::move(animation), seconds};
-  for (const auto& option : stanceOptions()) giveAs(option, stance, ModelStance(), workspace.stance);
+  const ModelStance stance{.animation = {std::move(animation), seconds >= 0.0f ? seconds : 0.0f}};
+  if (const auto* option = optionNamed(stanceOptions(), "animation"))
+    giveAs(*option, stance, ModelStance(), workspace.stance);
   return workspace;
 }
 

@@ -144,6 +144,8 @@ Workspace withoutOptions(Workspace workspace);
 Workspace withModel(Workspace workspace, std::string name);
 
 /// Shows a moment of an animation of the model.
+///
+/// seconds   below 0 is the start
 Workspace withMoment(Workspace workspace, std::string animation, float seconds);
 
 /// The showcase as `render` shows it if no environment is asked for (setShowcase): what was given stays.

@@ -83,9 +83,10 @@ void Desk::followMonitor() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();  // it is made again with the next frame
 }
 
-glm::ivec2 Desk::spaceBesidePicture(float scale) {
+glm::ivec2 Desk::spaceBesidePicture(float scale, bool has_strip) {
   const float padding = std::floor(ImGuiStyle().FramePadding.y * scale);  // as the style rounds it
-  return {static_cast<int>(kPanelWidth * scale), static_cast<int>(kLetterHeight * scale + 2.0f * padding)};
+  return {static_cast<int>(kPanelWidth * scale), static_cast<int>(kLetterHeight * scale + 2.0f * padding) +
+                                                     (has_strip ? static_cast<int>(kStripHeight * scale) : 0)};
 }
 
 int Desk::stripHeight(const Viewer& viewer) const {

@@ -27,7 +27,9 @@ class Desk {
 
   /// How wide the panels are, and how high the menus [pixels], on a monitor that asks for all to be so many times as
   /// large.
-  static glm::ivec2 spaceBesidePicture(float scale);
+  ///
+  /// has_strip   whether there is a strip of panoramas, which is counted to the menus
+  static glm::ivec2 spaceBesidePicture(float scale, bool has_strip = false);
   int panelWidth() const { return spaceBesidePicture(scale_).x; }
   int menuHeight() const { return spaceBesidePicture(scale_).y; }
 

@@ -24,7 +24,9 @@ constexpr const char* kTitle = "Mirrorball";
 constexpr const char* kBusyTitle = "Mirrorball (working)";
 
 /// A window around a picture, not seen yet, whose context is current.
-Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px) {
+///
+/// has_strip   of panoramas below the picture
+Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px, bool has_strip) {
   glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where the driver has it
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -33,7 +35,7 @@ Result<OwnWindow> hiddenWindow(glm::ivec2 picture_px) {
   // Its size is right from the beginning: a window manager takes its time to change it.
   float scale = 1.0f, other = 1.0f;
   if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &scale, &other);
-  const glm::ivec2 size_px = picture_px + Desk::spaceBesidePicture(scale);
+  const glm::ivec2 size_px = picture_px + Desk::spaceBesidePicture(scale, has_strip);
   OwnWindow window(glfwCreateWindow(size_px.x, size_px.y, kBusyTitle, nullptr, nullptr), glfwDestroyWindow);
   if (!window)
     return fail(ErrorCode::no_gl, "the display has no OpenGL 4.3; `mirrorball render` makes pictures without one");
@@ -94,7 +96,7 @@ Result<std::unique_ptr<Session>> Session::anew(std::unique_ptr<Session> lost, co
 
 Result<std::unique_ptr<Session>> Session::openAt(const WindowPlace& place, const WindowOptions& options,
                                                  const History& start) {
-  MIRRORBALL_TRY(window, hiddenWindow(place.picture_px));
+  MIRRORBALL_TRY(window, hiddenWindow(place.picture_px, start.now().maps.size() > 1));
   MIRRORBALL_TRY(context, gl::Context::adoptCurrent());
   MIRRORBALL_TRY(device, Device::on(std::move(context)));
   GLFWwindow* const handle = window.get();

@@ -51,6 +51,7 @@ Result<std::string> RecentFiles::keep(const Workspace& workspace) const {
   std::error_code seen_when_writing;
   std::filesystem::create_directories(file_.parent_path(), seen_when_writing);
   std::string path = (file_.parent_path() / "kept.json").string();
+  std::filesystem::remove(path, seen_when_writing);  // which may be of another version
   MIRRORBALL_TRY_VOID(saveWorkspace(path, workspace));
   return path;
 }

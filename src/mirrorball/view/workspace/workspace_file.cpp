@@ -192,6 +192,9 @@ Result<void> refuseInputs(const Workspace& workspace, const std::string& path) {
 
 Result<void> saveWorkspace(const std::string& path, const Workspace& workspace) {
   MIRRORBALL_TRY_VOID(refuseInputs(workspace, path));
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !loadWorkspace(path))
+    return fail(ErrorCode::usage, path + ": is there already and no workspace; choose another name");
   const std::string text = writtenWorkspace(workspace);
   return writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

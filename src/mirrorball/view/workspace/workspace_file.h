@@ -23,9 +23,9 @@ Result<Workspace> readWorkspace(std::string_view json);
 /// errors   usage
 Result<void> refuseInputs(const Workspace& workspace, const std::string& path);
 
-/// Writes it to a file, and reads it.
+/// Writes it to a file, in which there may be another workspace, and reads it.
 ///
-/// errors   io; as refuseInputs' and readWorkspace's
+/// errors   io; usage: something else is in the file; as refuseInputs' and readWorkspace's
 Result<void> saveWorkspace(const std::string& path, const Workspace& workspace);
 Result<Workspace> loadWorkspace(const std::string& path);
 

@@ -1,5 +1,8 @@
 #include "mirrorball/view/workspace/workspace_file.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -89,10 +92,16 @@ TEST(WorkspaceFile, EveryCutAndEveryChangedByteIsReadOrRefused) {
 TEST(WorkspaceFile, ReplacesNothingThatItShows) {
   Workspace workspace;
   const std::string path = ::testing::TempDir() + "shown.glb";
+  std::filesystem::remove(path);
+  std::filesystem::remove(path + ".json");
   ASSERT_TRUE(saveWorkspace(path, workspace)) << "nothing is there yet";
   workspace.model = path;
   EXPECT_EQ(saveWorkspace(path, workspace).error().code, ErrorCode::usage);
   EXPECT_TRUE(saveWorkspace(path + ".json", workspace));
+  EXPECT_TRUE(saveWorkspace(path + ".json", {})) << "another workspace";
+  const std::string note = ::testing::TempDir() + "note.txt";
+  std::ofstream(note) << "{not a workspace";
+  EXPECT_EQ(saveWorkspace(note, workspace).error().code, ErrorCode::usage);
 }
 
 }  // namespace

@@ -93,9 +93,9 @@ void drag(Viewer& viewer, glm::vec2 from_px, glm::vec2 by_px) {
 
 BallPhotoSettings settingsOf(const Viewer& viewer) { return *ballPhotoOf(*askedMap(viewer.workspace(), 0).photo); }
 
-class PhotographTest : public testing::ViewerTest {};
+class ViewerPhotographTest : public testing::ViewerTest {};
 
-TEST_F(PhotographTest, ShowsWhatTheUnwrappedMapShows) {
+TEST_F(ViewerPhotographTest, ShowsWhatTheUnwrappedMapShows) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   const std::string path = photographOf(ballBeforeWall(), "shown_ball.hdr");
   Viewer viewer(device(), mirrorInPhotograph(path), kViewerSize);
@@ -112,7 +112,7 @@ TEST_F(PhotographTest, ShowsWhatTheUnwrappedMapShows) {
   EXPECT_EQ(viewer.status().remark, "");
 }
 
-TEST_F(PhotographTest, ShowsTheBallThatItFindsBesideTheMap) {
+TEST_F(ViewerPhotographTest, ShowsTheBallThatItFindsBesideTheMap) {
   const BallScene scene = ballBeforeWall();
   Workspace workspace = mirrorInPhotograph(photographOf(scene, "found_ball.hdr"));
   workspace.shows_map = true;
@@ -130,7 +130,7 @@ TEST_F(PhotographTest, ShowsTheBallThatItFindsBesideTheMap) {
   EXPECT_LT(int(picture.texel(corner.x + 2, corner.y - 2)[0]), 50);
 }
 
-TEST_F(PhotographTest, ThePointerOverTheBallIsFollowedIntoTheMap) {
+TEST_F(ViewerPhotographTest, ThePointerOverTheBallIsFollowedIntoTheMap) {
   const BallScene scene = ballBeforeWall();
   Workspace workspace = mirrorInPhotograph(photographOf(scene, "pointed_ball.hdr"));
   workspace.shows_map = true;
@@ -151,7 +151,7 @@ TEST_F(PhotographTest, ThePointerOverTheBallIsFollowedIntoTheMap) {
   EXPECT_EQ(viewer.underPointer().lines.size(), outline) << "the wall";
 }
 
-TEST_F(PhotographTest, AHandMovesTheCircleInOneStep) {
+TEST_F(ViewerPhotographTest, AHandMovesTheCircleInOneStep) {
   const BallScene scene = ballBeforeWall();
   Workspace start = mirrorInPhotograph(photographOf(scene, "dragged_ball.hdr"));
   start.shows_map = true;
@@ -183,7 +183,7 @@ TEST_F(PhotographTest, AHandMovesTheCircleInOneStep) {
   EXPECT_NEAR(page.circleOf(viewer.underPointer().lines).center_px.x, before.center_px.x, 0.1);
 }
 
-TEST_F(PhotographTest, AWrongCircleIsTakenAsItIs) {
+TEST_F(ViewerPhotographTest, AWrongCircleIsTakenAsItIs) {
   const BallScene scene = ballBeforeWall();
   Workspace workspace = mirrorInPhotograph(photographOf(scene, "wrong_circle.hdr"));
   workspace.photos.begin()->second = {{"circle", {"60,50,20"}}, {"distance", {"8"}}};
@@ -197,7 +197,7 @@ TEST_F(PhotographTest, AWrongCircleIsTakenAsItIs) {
   EXPECT_NEAR(taken.radius_px, 20.0, 1.0) << "an ellipse";
 }
 
-TEST_F(PhotographTest, WithoutABallThePictureBeforeStaysAndAHandCanShowTheBall) {
+TEST_F(ViewerPhotographTest, WithoutABallThePictureBeforeStaysAndAHandCanShowTheBall) {
   Viewer viewer(device(), mirrorIn("white"), kPageSize);
   finish(viewer);
   const Image8 before = *viewer.picture();
@@ -219,7 +219,7 @@ TEST_F(PhotographTest, WithoutABallThePictureBeforeStaysAndAHandCanShowTheBall) 
   EXPECT_GT(differing(*viewer.picture(), before, 0, kPageSize.x), 100) << "the light of the circle that was given";
 }
 
-TEST_F(PhotographTest, AKeyTakesTheMapForAPhotographAndBack) {
+TEST_F(ViewerPhotographTest, AKeyTakesTheMapForAPhotographAndBack) {
   const std::string path = photographOf(ballBeforeWall(), "key_ball.hdr");
   Viewer viewer(device(), mirrorIn(path), kViewerSize);
   finish(viewer);
@@ -233,7 +233,7 @@ TEST_F(PhotographTest, AKeyTakesTheMapForAPhotographAndBack) {
 }
 
 // The second of the commands that renderCommandLine says reads the file that the first one writes.
-TEST_F(PhotographTest, ASavedPictureIsThatOfTheUnwrappedMap) {
+TEST_F(ViewerPhotographTest, ASavedPictureIsThatOfTheUnwrappedMap) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   const std::string path = photographOf(ballBeforeWall(), "saved_ball.hdr");
   Workspace workspace = mirrorInPhotograph(path);
@@ -259,7 +259,7 @@ TEST_F(PhotographTest, ASavedPictureIsThatOfTheUnwrappedMap) {
   }
 }
 
-TEST_F(PhotographTest, TheSavedPageIsWhatIsSeen) {
+TEST_F(ViewerPhotographTest, TheSavedPageIsWhatIsSeen) {
   Workspace workspace = mirrorInPhotograph(photographOf(ballBeforeWall(), "page_ball.hdr"));
   workspace.shows_map = true;
   Viewer viewer(device(), workspace, kPageSize);

@@ -59,8 +59,8 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 
 /// Prepares a pose of a model as loadInputs does its first one.
 ///
-/// look     filled in by loadInputs
 /// pose     of AnimationFrames
+/// look     filled in by loadInputs
 /// errors   as changeMaterials' and prepareScene's
 Result<Scene> preparedPose(Scene pose, const MaterialChanges& materials, const FrameSettings& look, StageClock& clock);
 

@@ -90,8 +90,7 @@ glm::ivec2 Desk::spaceBesidePicture(float scale, bool has_strip) {
 }
 
 int Desk::stripHeight(const Viewer& viewer) const {
-  const std::vector<MapThumbnail> thumbnails = viewer.thumbnails();
-  return thumbnails.empty() ? 0 : static_cast<int>(kStripHeight * scale_);
+  return hasSeveralMaps(viewer.workspace()) ? static_cast<int>(kStripHeight * scale_) : 0;
 }
 
 void Desk::open(Viewer& viewer, const std::vector<std::string>& paths) {

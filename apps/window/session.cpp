@@ -96,7 +96,7 @@ Result<std::unique_ptr<Session>> Session::anew(std::unique_ptr<Session> lost, co
 
 Result<std::unique_ptr<Session>> Session::openAt(const WindowPlace& place, const WindowOptions& options,
                                                  const History& start) {
-  MIRRORBALL_TRY(window, hiddenWindow(place.picture_px, start.now().maps.size() > 1));
+  MIRRORBALL_TRY(window, hiddenWindow(place.picture_px, hasSeveralMaps(start.now())));
   MIRRORBALL_TRY(context, gl::Context::adoptCurrent());
   MIRRORBALL_TRY(device, Device::on(std::move(context)));
   GLFWwindow* const handle = window.get();

@@ -190,7 +190,8 @@ Result<void> checkExtent(const Scene& scene) {
 
 namespace {
 
-/// A scene that was read, as an animation shows it if one is chosen.
+}  // namespace
+
 Result<Scene> atMoment(Scene scene, const AnimationChoice& choice) {
   if (!choice.name.empty()) {
     MIRRORBALL_TRY(animation, chosenAnimation(scene, choice));
@@ -201,8 +202,6 @@ Result<Scene> atMoment(Scene scene, const AnimationChoice& choice) {
   addNodes(scene);
   return scene;
 }
-
-}  // namespace
 
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options) {
   if (const auto index = indexOfName(name_or_path, builtinNames()))

@@ -20,6 +20,11 @@ namespace mirrorball {
 ///          in it); too_large; usage (the model has no such animation)
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options = {});
 
+/// A model as loadModel has it without an animation, as it is with one.
+///
+/// errors   usage (it has no such animation); bad_file (it reaches too far); as posed's
+Result<Scene> atMoment(Scene scene, const AnimationChoice& choice);
+
 /// Refuses what lies or reaches so far away that shaders cannot tell distances, as loadModel does.
 ///
 /// errors   bad_file

@@ -11,10 +11,10 @@
 namespace mirrorball {
 namespace {
 
-/// The camera as numbers say it, where it is one that hands move.
-CameraOptions framedBy(const Scene& scene, const FrameSettings& frame) {
+/// The camera as numbers say it.
+CameraOptions framedBy(const Scene& scene, const BoundingSphere& bounds, const FrameSettings& frame) {
   const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
-  return frame.camera.name.empty() ? framed(scene, boundingSphere(scene), frame.camera, aspect) : frame.camera;
+  return framed(scene, bounds, frame.camera, aspect);
 }
 
 /// The next moment of the animation that is chosen, or of the first.
@@ -38,8 +38,7 @@ std::optional<Workspace> AnimationPlayer::advance(double seconds, const Workspac
                                                   const Scene& shown, const FrameSettings& frame) {
   if (!now.plays) {
     const bool has_stopped = stance_ == now.stance;  // else something was undone
-    std::optional<Workspace> still;
-    if (has_stopped) still = stopped(now, frame, boundingSphere(shown));
+    auto still = has_stopped ? std::optional(stopped(now, frame, boundingSphere(shown))) : std::nullopt;
     before_.reset();
     return still;
   }
@@ -47,7 +46,8 @@ std::optional<Workspace> AnimationPlayer::advance(double seconds, const Workspac
   if (!next) return std::nullopt;
   if (!before_) {
     before_ = Before{shown, boundingSphere(shown)};
-    if (frame.camera.name.empty()) next = withCamera(std::move(*next), framedBy(shown, frame));
+    // A camera of the model's own moves with it.
+    if (frame.camera.name.empty()) next = withCamera(std::move(*next), framedBy(shown, before_->bounds, frame));
   }
   stance_ = next->stance;
   return next;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/render/settings/frame_settings.h"

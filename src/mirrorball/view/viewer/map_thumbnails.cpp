@@ -76,7 +76,7 @@ Result<bool> MapThumbnails::follow(const Workspace& workspace) {
 }
 
 bool MapThumbnails::isDone(const Workspace& workspace) const {
-  if (workspace.maps.size() < 2) return true;
+  if (!hasSeveralMaps(workspace)) return true;
   for (const std::string& map : workspace.maps)
     if (!on_->pictures.contains(keyOf(workspace, map))) return false;
   return !making_.isRunning();
@@ -84,7 +84,7 @@ bool MapThumbnails::isDone(const Workspace& workspace) const {
 
 std::vector<MapThumbnail> MapThumbnails::of(const Workspace& workspace) const {
   std::vector<MapThumbnail> thumbnails;
-  if (workspace.maps.size() < 2) return thumbnails;
+  if (!hasSeveralMaps(workspace)) return thumbnails;
   const std::string& shown = mapOf(workspace, editedSide(workspace));
   for (const std::string& map : workspace.maps) {
     MapThumbnail& thumbnail = thumbnails.emplace_back(MapThumbnail{.name = map, .is_shown = map == shown});

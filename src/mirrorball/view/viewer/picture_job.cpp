@@ -138,7 +138,7 @@ Result<void> drawAnimation(Renderer& renderer, const Workspace& workspace, const
                            const FrameSettings& frame, const std::vector<std::string>& paths,
                            const ProgressFunction& progress) {
   MIRRORBALL_TRY(rest, loadModel(names.model, {.inside_only = names.load_model.inside_only}));
-  MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
+  const ModelStance stance{names.up, names.load_model.animation};
   MIRRORBALL_TRY(frames, AnimationFrames::make(std::move(rest), stance, frame, paths.size(), FramingOf::still));
   for (std::size_t i = 0; i < paths.size(); ++i) {
     MIRRORBALL_TRY(pose, frames.pose(i));

@@ -2,27 +2,10 @@
 
 #include <utility>
 
-#include "mirrorball/scene/animation/animation_choice.h"
-#include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material_changes.h"
 
 namespace mirrorball {
-namespace {
-
-/// As loadModel and prepareModel have it.
-Result<Scene> standingAs(Scene scene, const ModelStance& stance) {
-  if (!stance.animation.name.empty()) {
-    MIRRORBALL_TRY(animation, chosenAnimation(scene, stance.animation));
-    MIRRORBALL_TRY(pose, posed(std::move(scene), animation, double(stance.animation.seconds.value_or(0.0f))));
-    MIRRORBALL_TRY_VOID(checkExtent(pose));
-    scene = std::move(pose);
-  }
-  standUpright(scene, stance.up);
-  return scene;
-}
-
-}  // namespace
 
 bool ShownModel::follow(const Workspace& workspace, bool inside_only) {
   const bool has_begun =
@@ -77,7 +60,8 @@ Result<void> ShownModel::changeTo(const Workspace& workspace) {
   const bool stands_otherwise = standing_for_ != workspace.stance;
   if (stands_otherwise) {
     MIRRORBALL_TRY(stance, stanceOf(workspace.stance));
-    MIRRORBALL_TRY(standing, standingAs(loaded_, stance));
+    MIRRORBALL_TRY(standing, atMoment(loaded_, stance.animation));
+    standUpright(standing, stance.up);
     standing_ = std::move(standing);
     standing_for_ = workspace.stance;
   }

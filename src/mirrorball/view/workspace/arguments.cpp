@@ -217,8 +217,7 @@ Result<std::string> renderCommandLine(const Workspace& workspace, std::size_t si
 
 Result<Workspace> withFile(Workspace workspace, const std::string& path) {
   if (contains(builtinModelNames(), path)) return withModel(std::move(workspace), path);
-  const std::string_view name = std::string_view(path).substr(0, path.find(':'));
-  if (contains(builtinEnvironmentNames(), name)) return withMap(std::move(workspace), path);
+  if (isBuiltinEnvironment(path)) return withMap(std::move(workspace), path);
   if (std::filesystem::is_directory(path)) {
     MIRRORBALL_TRY_VOID(faceFilesIn(path));
     return withMap(std::move(workspace), path);

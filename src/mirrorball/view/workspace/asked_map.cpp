@@ -34,7 +34,7 @@ Result<BallPhotoSettings> ballPhotoOf(const GivenTexts& given) {
 
 Workspace withPhotograph(Workspace workspace, bool is_photograph) {
   const std::string name = mapOf(workspace, editedSide(workspace));
-  if (contains(builtinEnvironmentNames(), std::string_view(name).substr(0, name.find(':')))) return workspace;
+  if (isBuiltinEnvironment(name)) return workspace;
   if (is_photograph)
     workspace.photos.try_emplace(name);
   else

@@ -243,6 +243,8 @@ std::size_t indexOfMap(const Workspace& workspace, std::size_t side) {
 
 }  // namespace
 
+bool hasSeveralMaps(const Workspace& workspace) { return workspace.maps.size() > 1; }
+
 Workspace withMapShown(Workspace workspace, std::size_t map) {
   if (indexOfMap(workspace, editedSide(workspace)) == map) return workspace;
   if (isComparing(workspace))

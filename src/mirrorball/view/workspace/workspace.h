@@ -151,6 +151,9 @@ Workspace withMoment(Workspace workspace, std::string animation, float seconds);
 /// The showcase as `render` shows it if no environment is asked for (setShowcase): what was given stays.
 Workspace withShowcase(Workspace workspace);
 
+/// Whether there are panoramas to choose among.
+bool hasSeveralMaps(const Workspace& workspace);
+
 /// Shows one of its panoramas: in a comparison in the half that is edited.
 Workspace withMapShown(Workspace workspace, std::size_t map);
 

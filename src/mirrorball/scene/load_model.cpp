@@ -188,10 +188,6 @@ Result<void> checkExtent(const Scene& scene) {
                                        " units from the origin, more than can be drawn; scale the model down");
 }
 
-namespace {
-
-}  // namespace
-
 Result<Scene> atMoment(Scene scene, const AnimationChoice& choice) {
   if (!choice.name.empty()) {
     MIRRORBALL_TRY(animation, chosenAnimation(scene, choice));

@@ -9,8 +9,8 @@
 # many inputs: TESTS have the same with few, and `./test --long` alone runs them, and those suites of TESTS that stand
 # under LONG.
 #
-# What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
-# package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
+# What is in the rooms, their tests, which of these are long, and the packages that they use are collected in the
+# properties MIRRORBALL_…, for the package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
   cmake_parse_arguments(ROOM "COMPUTES" "" "HEADERS;SOURCES;DEPENDS;PACKAGES;TESTS;ACCURACY_TESTS;LONG" ${ARGN})
   set(target mirrorball_${name})
@@ -43,6 +43,7 @@ function(mirrorball_room name)
   if(MIRRORBALL_TESTS AND ROOM_TESTS)
     mirrorball_test(${name} SOURCES ${ROOM_TESTS} LONG ${ROOM_LONG} DEPENDS ${target} ${ROOM_PACKAGES})
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_TESTS ${name}_test_code)
+    set_property(GLOBAL APPEND PROPERTY MIRRORBALL_LONG_SUITES ${ROOM_LONG})
   endif()
   if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
     mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} ${ROOM_PACKAGES}

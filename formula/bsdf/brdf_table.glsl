@@ -24,13 +24,13 @@ FN vec4 brdfTexel(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
   return sampleMap(table, vec2(place.x * float(size.y) / float(size.x), place.y));
 }
 
-// What it holds in its first two channels.
-FN vec2 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
+// What it holds of facets: Surface::environment_brdf of shading.glsl.
+FN vec3 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
   vec4 texel = brdfTexel(table, perceptual_roughness, cosine);
-  return vec2(texel.x, texel.y);
+  return vec3(texel.x, texel.y, texel.w);
 }
 
-// And in its third: the albedo of white cloth (formula/bsdf/charlie.glsl).
+// And in its third channel: the albedo of white cloth (formula/bsdf/charlie.glsl).
 FN float sheenAlbedo(MAP_SAMPLER table, float sheen_roughness, float cosine) {
   return brdfTexel(table, sheen_roughness, cosine).z;
 }

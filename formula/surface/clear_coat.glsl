@@ -25,7 +25,7 @@ FN Material coatMaterial(Material m) {
 
 // The coat of a surface, seen along the ray from the eye.
 //   normal, tangent, environment_brdf   of the coat, as in Surface
-FN Surface coatOf(Surface s, vec3 ray, vec3 normal, vec3 tangent, vec2 environment_brdf) {
+FN Surface coatOf(Surface s, vec3 ray, vec3 normal, vec3 tangent, vec3 environment_brdf) {
   s.material = coatMaterial(s.material);
   s.own_roughness = s.material.perceptual_roughness;
   s.normal = normal;

@@ -15,9 +15,10 @@ struct Surface {
   float own_roughness INITIALLY(0.0f);  // perceptual, without the bumps that a pixel hides; of a renderer only
   vec3 tangent INITIALLY(vec3(1.0f, 0.0f, 0.0f));  // unit, across the normal: anisotropy stretches along it
   float occlusion;
-  // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
-  // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
-  vec2 environment_brdf;
+  // For its roughness and n·v: what white facets do not send away at the first bounce; of those that do, 1 − the cosine
+  // at which Schlick's term is its mean, the fifth root of the BRDF table's bias / (scale + bias); and the mean of
+  // 1 − their cosine.
+  vec3 environment_brdf;
   // What stretched facets send away at the first bounce, over what round ones of the narrow width do (stretchedShare).
   float stretched_share INITIALLY(1.0f);
   // What white cloth of its sheen_roughness reflects of a white environment; 0: no sheen.
@@ -88,13 +89,19 @@ FN vec3 dielectricReflectance(Material m, float cosine, vec3 ior) { return smoot
 
 FN vec3 metalReflectance(Material m, float cosine) { return smoothReflectance(m, cosine, vec3(1.0f), true); }
 
-// The cosine at which a facet stands for all that the eye sees: where Schlick's (1 − cosine)⁵ is its mean over them,
-// which is known from the BRDF table. So Schlick's form is exact on average. Any other form is taken at that cosine
-// too: it is nearly a line over Schlick's term, and what is the same at all angles stays so.
+// Two kinds of facets that stand for all which send light to the eye: those at some cosine, the first number, are the
+// share that is the second, and the rest is met at normal incidence. They have all facets' means of 1 − cosine and of
+// (1 − cosine)⁵, which the BRDF table knows: from share · u = mean tilt and share · u⁵ = grazing⁵. So Schlick's form is
+// exact on average, and a line; other forms are between the two, and what is the same at all angles stays so.
 //   cosine   −dot(ray, n); a mirror has no facets
-FN float cosineOfFacets(Surface s, float cosine) {
+FN vec2 facetsSeen(Surface s, float cosine) {
   bool has_facets = s.material.perceptual_roughness > 0.0f || s.material.anisotropy > 0.0f;
-  return has_facets ? 1.0f - s.environment_brdf.y : cosine;
+  if (!has_facets) return vec2(cosine, 1.0f);
+  const float kLeastTilt = 1e-6f;
+  float grazing2 = s.environment_brdf.y * s.environment_brdf.y;
+  float tilt = max(s.environment_brdf.z, kLeastTilt);
+  float u = min(sqrt(sqrt(grazing2 * grazing2 * s.environment_brdf.y / tilt)), 1.0f);
+  return vec2(1.0f - u, min(tilt / max(u, kLeastTilt), 1.0f));
 }
 
 // A dielectric's reflectance with the strength and the colour of KHR_materials_specular: at normal incidence it is f0
@@ -122,7 +129,7 @@ FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   float held = 1.0f - s.stretched_share;
   Reflectance r;
   r.single_scattering = facets * (1.0f - missing) * s.stretched_share / (vec3(1.0f) - held * facets);
-  r.multiple_scattering = multipleScattering(r.single_scattering, mean, missing);
+  r.multiple_scattering = multipleScattering(mean, missing);
   return r;
 }
 
@@ -137,14 +144,16 @@ struct FacetShares {
 FN FacetShares facetShares(Surface s, float cosine, bool is_metal) {
   FacetShares shares = MAKE(FacetShares)(vec3(0.0f), vec3(0.0f), vec3(0.0f));
   vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
+  vec2 seen = facetsSeen(s, cosine);
   for (int i = 0; i < 5; ++i) {
-    float at = i == 0 ? cosineOfFacets(s, cosine) : 1.0f;
+    float at = i == 0 ? seen.x : 1.0f;
     if (i >= 2) at = kMeanFresnelCosines[i - 2];
     vec3 reflectance = smoothReflectance(s.material, at, ior, is_metal);
     if (i == 0) shares.seen = reflectance;
     if (i == 1) shares.normal = reflectance;
     if (i >= 2) shares.mean += kMeanFresnelWeights[i - 2] * reflectance;
   }
+  shares.seen = mix(shares.normal, shares.seen, seen.y);
   return shares;
 }
 

@@ -14,6 +14,6 @@ void stretchRoughness(inout Surface s, SurfacePoint point) {
   vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
   vec3 v = eyeInFrame(s, point.ray);
   float mean_roughness = sqrt(0.5 * (alpha.x + alpha.y));
-  s.environment_brdf.y = environmentBrdf(brdf_table, mean_roughness, v.z).y;
+  s.environment_brdf.yz = environmentBrdf(brdf_table, mean_roughness, v.z).yz;
   s.stretched_share = stretchedShare(alpha, v);
 }

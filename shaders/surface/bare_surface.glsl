@@ -5,7 +5,7 @@ Surface bareSurface(SurfacePoint point, Material m, vec3 n) {
   s.normal = n;
   s.own_roughness = m.perceptual_roughness;
   s.occlusion = 1.0;
-  s.environment_brdf = vec2(0.0);
+  s.environment_brdf = vec3(0.0);
   stretchRoughness(s, point);
   layCloth(s, point);
   return s;

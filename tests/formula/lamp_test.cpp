@@ -78,18 +78,19 @@ vec3 underAllDirections(const Surface& surface, vec3 ray) {
 }
 
 /// Surface::environment_brdf of facets with Schlick's form: what is missing to 1, and 1 − c where (1 − c)⁵ is the share
-/// that those of f0 = 0 send of what white ones do.
-vec2 environmentBrdfOf(float perceptual_roughness, vec3 v) {
+/// that those of f0 = 0 send of what white ones do; so all are of one kind.
+vec3 environmentBrdfOf(float perceptual_roughness, vec3 v) {
   const auto sent = [&](float f0) {
     Surface metal;
     metal.normal = {0, 0, 1};
     metal.material.metallic = 1.0f;
     metal.material.base_color = vec3(f0);
     metal.material.perceptual_roughness = perceptual_roughness;
-    metal.environment_brdf = vec2(0.0f);  // nothing is taken for missing
+    metal.environment_brdf = vec3(0.0f);  // nothing is taken for missing
     return underAllDirections(metal, -v).x;
   };
-  return {1.0f - sent(1.0f), std::pow(sent(0.0f) / sent(1.0f), 0.2f)};
+  const float grazing = std::pow(sent(0.0f) / sent(1.0f), 0.2f);
+  return {1.0f - sent(1.0f), grazing, grazing};
 }
 
 // What a surface sends of light from all sides is what it sends of an environment: a white one stays white.
@@ -115,7 +116,7 @@ TEST(ShadedByPunctualLight, OfAMattSurfaceIsLamberts) {
   s.normal = {0, 0, 1};
   s.material.base_color = {0.5f, 0.25f, 1.0f};
   s.material.specular = 0.0f;
-  s.environment_brdf = vec2(0.0f);
+  s.environment_brdf = vec3(0.0f);
   const vec3 light = normalize(vec3(1, 0, 1));
   const vec3 shaded = shadedByPunctualLight(seenAlong(s, vec3(0, 0, -1)), vec3(0, 0, -1), light, vec3(2.0f));
   EXPECT_LT(distance(shaded, s.material.base_color * (2.0f / kPi * light.z)), 1e-6f);
@@ -131,7 +132,7 @@ TEST(ShadedByPunctualLight, IsFiniteAtGrazingAnglesAndOnMirrors) {
         s.material.metallic = 1.0f;
         s.material.base_color = vec3(1.0f);
         s.material.perceptual_roughness = roughness;
-        s.environment_brdf = vec2(0.1f, 0.1f);
+        s.environment_brdf = vec3(0.1f);
         EXPECT_TRUE(std::isfinite(shadedByPunctualLight(seenAlong(s, ray), ray, light, vec3(1.0f)).x)) << roughness;
       }
 }

@@ -74,9 +74,8 @@ TEST(LodOfLobe, KnowsThatLevelsHalveRoundingDown) {
 }
 
 TEST(Microfacet, SingleAndMultipleScatteringOfAWhiteSurfaceAddUpToOne) {
-  for (const float missing : {0.7f, 0.3f, 0.0f})
-    EXPECT_NEAR(multipleScattering(vec3(1.0f - missing), vec3(1.0f), missing).x, missing, 1e-6f);
-  EXPECT_EQ(multipleScattering(vec3(0.5f), vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
+  for (const float missing : {0.7f, 0.3f, 0.0f}) EXPECT_NEAR(multipleScattering(vec3(1.0f), missing).x, missing, 1e-6f);
+  EXPECT_EQ(multipleScattering(vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
 }
 
 TEST(Microfacet, EachFurtherBounceTakesItsShare) {
@@ -84,13 +83,13 @@ TEST(Microfacet, EachFurtherBounceTakesItsShare) {
   const float missing = 0.4f;
   const float leaves = 1.0f - kKeptOfMissing * missing;
   float sum = 0.0f;
-  float share = 0.9f * missing;  // of the first facets, which reflect 0.9
+  float share = mean_fresnel * missing;  // of the first facets
   for (int bounce = 0; bounce < 50; ++bounce) {
     share *= mean_fresnel;
     sum += leaves * share;
     share *= 1.0f - leaves;
   }
-  EXPECT_NEAR(multipleScattering(vec3(0.9f * (1.0f - missing)), vec3(mean_fresnel), missing).x, sum, 1e-6f);
+  EXPECT_NEAR(multipleScattering(vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
 TEST(Microfacet, MeanFresnelIsThatOfTheWholeHemisphere) {
@@ -126,7 +125,7 @@ TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
       for (float sine = 0.0f; sine < 1.0f; sine += 0.19f) {
         surface.material.metallic = metallic;
         surface.material.perceptual_roughness = perceptual_roughness;
-        surface.environment_brdf = vec2(0.1f + 0.5f * perceptual_roughness, 0.1f * sine);
+        surface.environment_brdf = vec3(0.1f + 0.5f * perceptual_roughness, 0.1f * sine, 0.05f * sine);
         const vec3 ray(sine, 0.0f, -std::sqrt(1.0f - sine * sine));
         const vec3 light = shadedByEnvironment(seenAlong(surface, ray), vec3(1.0f), vec3(0.0f), vec3(1.0f), vec3(0.0f));
         EXPECT_NEAR(light.x, 1.0f, 1e-5f) << metallic << ", roughness " << perceptual_roughness << " at " << sine;
@@ -144,7 +143,7 @@ TEST(Shading, AnIndexOfOneIsInvisible) {
   for (const float perceptual_roughness : {0.0f, 0.15f, 0.6f, 1.0f})
     for (const float grazing : {0.0f, 0.5f, 0.99f}) {
       surface.material.perceptual_roughness = perceptual_roughness;
-      surface.environment_brdf = vec2(0.6f * perceptual_roughness, grazing);
+      surface.environment_brdf = vec3(0.6f * perceptual_roughness, grazing, grazing);
       const vec3 ray(0.6f, 0.0f, -0.8f);
       const Surface seen = seenAlong(surface, ray);
       const vec3 light = shadedByEnvironment(seen, vec3(100.0f), vec3(0.5f), vec3(100.0f), vec3(0.0f));

@@ -33,7 +33,7 @@ const Case kSurfaceCases[] = {
 
     PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(SmoothMap(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTexel, unit, kTight, brdfTexel(SmoothMap(32.0f), p.x, p.y)),
-    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f, 0.0f)),
+    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f)),
 
     // diffuse
     PARITY(evalDiffuse, unit, kTight, vec4(evalDiffuse())),
@@ -140,7 +140,7 @@ const Case kSurfaceCases[] = {
     // microfacet
     PARITY(widenedRoughness, unit, kTight, vec4(widenedRoughness(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
+    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(q), 0.75f * r.x), 0.0f)),
 
     // occlusion
     PARITY(visibleSlice, unit, kTranscendental,
@@ -281,13 +281,15 @@ const Case kSurfaceCases[] = {
                 coatMaterial(testSurface(p, q, r).material).ior, coatMaterial(testSurface(p, q, r).material).metallic,
                 coatMaterial(testSurface(p, q, r).material).base_color.x)),
     PARITY(coatOf, direction, kTranscendental,
-           vec4(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
+           vec4(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q),
+                       vec3(0.25f, 0.5f * r.x, 0.25f * r.x))
                     .reflectance.single_scattering,
-                coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
+                coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q),
+                       vec3(0.25f, 0.5f * r.x, 0.25f * r.x))
                     .environment_brdf.y)),
     PARITY(underCoat, direction, kTranscendental,
            vec4(underCoat(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q),
-                                 vec2(0.25f, 0.5f * r.x)),
+                                 vec3(0.25f, 0.5f * r.x, 0.25f * r.x)),
                           r.y, vec3(1.0f, 2.0f, 3.0f), vec3(r)),
                 0.0f)),
 
@@ -343,7 +345,7 @@ const Case kSurfaceCases[] = {
     PARITY(roughReflectance, direction, kTight,
            vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
                 roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
-    PARITY(cosineOfFacets, direction, kExact, vec4(cosineOfFacets(testSurface(p, q, r), p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(facetsSeen, direction, kTight, vec4(facetsSeen(testSurface(p, q, r), p.w), 0.0f, 0.0f)),
     PARITY(facetShares, direction, kTranscendental,
            vec4(facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).seen,
                 facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).mean.x)),

@@ -37,6 +37,6 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.iridescence = r.y < 0.5f ? 0.0f : r.z;
   s.material.iridescence_ior = 1.25f + r.x;
   s.material.iridescence_thickness = 800.0f * r.w;
-  s.environment_brdf = vec2(0.25f + 0.5f * r.w, 0.25f * r.x);
+  s.environment_brdf = vec3(0.25f + 0.5f * r.w, 0.25f * r.x, 0.125f * r.x + 0.0625f * r.y);
   return s;
 }

@@ -12,9 +12,9 @@ namespace mirrorball {
 LampSurface::LampSurface(const formula::Material& material, const Frame& frame, glm::vec3 coat_normal, glm::vec3 ray)
     : ray_(ray) {
   const auto cosineTo = [&](glm::vec3 normal) { return std::clamp(-glm::dot(ray, normal), 0.0f, 1.0f); };
-  const auto environmentBrdf = [&](float perceptual_roughness, glm::vec3 normal) -> glm::vec2 {
+  const auto environmentBrdf = [&](float perceptual_roughness, glm::vec3 normal) -> glm::vec3 {
     const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, perceptual_roughness, cosineTo(normal));
-    return {1.0f - albedo.total(), albedo.grazing()};
+    return {1.0f - albedo.total(), albedo.grazing(), albedo.meanTilt()};
   };
   surface_.material = material;
   surface_.normal = frame.n;
@@ -22,7 +22,8 @@ LampSurface::LampSurface(const formula::Material& material, const Frame& frame, 
   surface_.environment_brdf = environmentBrdf(material.perceptual_roughness, frame.n);
   if (material.anisotropy > 0.0f) {
     const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
-    surface_.environment_brdf.y = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n).y;
+    const glm::vec3 of_mean_width = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n);
+    surface_.environment_brdf = {surface_.environment_brdf.x, of_mean_width.y, of_mean_width.z};
     surface_.stretched_share = formula::stretchedShare(alpha, frame.toLocal(-ray));
   }
   const bool has_sheen = material.sheen_color != glm::vec3(0.0f);

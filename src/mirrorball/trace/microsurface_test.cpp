@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -72,23 +74,35 @@ TEST(Microsurface, DensitiesIntegrateToOne) {
     }
 }
 
-/// How many facets a ray meets before it escapes, from above at that cosine: the share of the rays that meet one, two …
-std::array<float, 24> sharesOfBounces(float alpha, float cosine, int rays) {
-  std::array<float, 24> shares{};
+constexpr std::size_t kMostBounces = 23;
+
+/// Calls visit(the cosines at which a ray meets facets before it escapes) for rays from above at that cosine.
+template <typename Visit>
+void forEachWalk(float alpha, float cosine, int rays, const Visit& visit) {
+  std::vector<float> cosines;
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<float>(random() >> 8u) * 0x1p-24f; };
   for (int i = 0; i < rays; ++i) {
     glm::vec3 w(-std::sqrt(1.0f - cosine * cosine), 0.0f, -cosine);
     float height = kAboveAllFacets;
-    std::size_t met = 0;
-    while (met + 1 < shares.size() && (met == 0 || uniform() >= escapeProbability(glm::vec2(alpha), w, height))) {
+    cosines.clear();
+    while (cosines.size() < kMostBounces &&
+           (cosines.empty() || uniform() >= escapeProbability(glm::vec2(alpha), w, height))) {
       height = heightOfNextFacet(glm::vec2(alpha), w, height, uniform());
       const glm::vec2 u(uniform(), uniform());
-      w = glm::reflect(w, formula::sampleVisibleNormal(glm::vec2(alpha), -w, u));
-      ++met;
+      const glm::vec3 facet = formula::sampleVisibleNormal(glm::vec2(alpha), -w, u);
+      cosines.push_back(-glm::dot(w, facet));
+      w = glm::reflect(w, facet);
     }
-    shares[met] += 1.0f / static_cast<float>(rays);
+    visit(cosines);
   }
+}
+
+/// The share of the rays that meet one facet, two …
+std::array<float, kMostBounces + 1> sharesOfBounces(float alpha, float cosine, int rays) {
+  std::array<float, kMostBounces + 1> shares{};
+  forEachWalk(alpha, cosine, rays,
+              [&](const std::vector<float>& met) { shares[met.size()] += 1.0f / static_cast<float>(rays); });
   return shares;
 }
 
@@ -101,11 +115,37 @@ TEST(MultipleScattering, IsWhatRaysBetweenTheFacetsBring) {
         float several = 0.0f;
         for (std::size_t bounces = 2; bounces < shares.size(); ++bounces)
           several += shares[bounces] * std::pow(reflectance, static_cast<float>(bounces));
-        const glm::vec3 found =
-            formula::multipleScattering(glm::vec3(reflectance * shares[1]), glm::vec3(reflectance), 1.0f - shares[1]);
+        const glm::vec3 found = formula::multipleScattering(glm::vec3(reflectance), 1.0f - shares[1]);
         EXPECT_NEAR(found.x, several, 0.01f) << roughness << " at " << cosine << ", " << reflectance;
       }
     }
+}
+
+// And for such as reflect more or less at grazing angles: those between which light goes to and fro are met at all.
+TEST(MultipleScattering, BeginsWithTheMeanOfTheFacets) {
+  const std::vector<std::function<float(float)>> forms = {
+      [](float c) { return formula::fresnelDielectric(c, 1.5f); },
+      [](float c) { return formula::fresnelF82(c, glm::vec3(0.9f), glm::vec3(0.5f)).x; },
+      [](float c) { return formula::fresnelEmpirical(c, 0.1f, 0.9f, 2.0f); }};
+  constexpr int kRays = 50'000;
+  for (std::size_t form = 0; form < forms.size(); ++form)
+    for (const float roughness : {0.6f, 1.0f})
+      for (const float cosine : {1.0f, 0.5f, 0.2f}) {
+        double several = 0.0;
+        double missing = 0.0;
+        forEachWalk(roughness * roughness, cosine, kRays, [&](const std::vector<float>& met) {
+          if (met.size() < 2) return;
+          double share = 1.0 / kRays;
+          missing += share;
+          for (const float at : met) share *= double(forms[form](at));
+          several += share;
+        });
+        const glm::vec3 at = formula::kMeanFresnelCosines;
+        const glm::vec3 mean(
+            glm::dot(formula::kMeanFresnelWeights, glm::vec3(forms[form](at.x), forms[form](at.y), forms[form](at.z))));
+        EXPECT_NEAR(formula::multipleScattering(mean, static_cast<float>(missing)).x, several, 0.035)
+            << "form " << form << ", " << roughness << " at " << cosine;
+      }
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ void fillRow(const BrdfTableOptions& options, int y, Image& table) {
     texel[0] = share.scale;
     texel[1] = share.bias;
     if (options.channels == 3) texel[2] = mean;
+    if (options.has_tilt) texel[options.channels] = share.tilt;
   }
 }
 
@@ -58,7 +59,7 @@ Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction&
                                       " texels a side, not " + std::to_string(options.size));
   if (options.axes == BrdfAxes::warped && options.distribution == Distribution::charlie)
     return fail(ErrorCode::usage, "charlie's share grows without bound towards smooth grazing cloth: linear axes only");
-  Image table = Image::withoutValues(options.size, options.size, options.channels);
+  Image table = Image::withoutValues(options.size, options.size, options.channels + (options.has_tilt ? 1 : 0));
   ProgressCounter rows(progress, std::size_t(options.size));
   parallelFor(std::size_t(options.size), 1, [&](std::size_t y, std::size_t) {
     if (rows.stopped()) return;

@@ -18,6 +18,7 @@ struct BrdfTableOptions {
   int channels = 2;  ///< 2, or 3 with the mean share
   Distribution distribution = Distribution::ggx;
   BrdfAxes axes = BrdfAxes::linear;
+  bool has_tilt = false;  ///< in one channel more: DirectionalAlbedo::tilt
 };
 
 inline constexpr int kLargestBrdfTable = 4096;

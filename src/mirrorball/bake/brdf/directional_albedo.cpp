@@ -137,12 +137,13 @@ HWY_INLINE Floats weightedVisibility(const ShareSetting& setting, Floats light) 
 /// Adds one stretch of θ.
 template <Distribution kDistribution>
 void addStretchOf(const ShareSetting& setting, const SharePlaces& places, const ShareStretch& stretch, double& whole,
-                  double& grazing) {
+                  double& grazing, double& tilt) {
   const Lanes d;
   const auto length = static_cast<float>(stretch.end - stretch.begin);
   const Floats eye = set(setting.cosine);
   Floats sum = hn::Zero(d);
   Floats grazing_sum = hn::Zero(d);
+  Floats tilt_sum = hn::Zero(d);
   for (std::size_t i = 0; i < places.along.size(); i += hn::Lanes(d)) {
     const Floats y = set(static_cast<float>(stretch.begin)) + set(length) * hn::LoadU(d, &places.along[i]);
     const Floats to_one =
@@ -157,6 +158,7 @@ void addStretchOf(const ShareSetting& setting, const SharePlaces& places, const 
     const Floats around = stretch.all_around ? set(kPi) : hn::Acos(d, hn::Min(hn::Max(edge, set(-1.0f)), set(1.0f)));
     Floats ring = hn::Zero(d);
     Floats grazing_ring = hn::Zero(d);
+    Floats tilt_ring = hn::Zero(d);
     for (std::size_t j = 0; j < places.around.size(); ++j) {
       const Floats across =
           stretch.all_around ? set(places.around_cosines[j]) : hn::Cos(d, around * set(places.around[j]));
@@ -170,27 +172,30 @@ void addStretchOf(const ShareSetting& setting, const SharePlaces& places, const 
       const Floats past2 = past * past;
       ring = ring + share;
       grazing_ring = hn::MulAdd(share, past2 * past2 * past, grazing_ring);
+      tilt_ring = hn::MulAdd(share, past, tilt_ring);
     }
     // Both sides of the plane of n and v.
     const Floats weight = set(2.0f) * around * weightedDistribution<kDistribution>(setting, y, to_one, t) *
                           hn::LoadU(d, &places.along_weights[i]) * set(length);
     sum = hn::MulAdd(ring, weight, sum);
     grazing_sum = hn::MulAdd(grazing_ring, weight, grazing_sum);
+    tilt_sum = hn::MulAdd(tilt_ring, weight, tilt_sum);
   }
   whole += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
   grazing += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, grazing_sum)));
+  tilt += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, tilt_sum)));
 }
 
 void addStretch(Distribution distribution, const ShareSetting& setting, const SharePlaces& places,
-                const ShareStretch& stretch, double& whole, double& grazing) {
+                const ShareStretch& stretch, double& whole, double& grazing, double& tilt) {
   switch (distribution) {
     case Distribution::charlie:
-      return addStretchOf<Distribution::charlie>(setting, places, stretch, whole, grazing);
+      return addStretchOf<Distribution::charlie>(setting, places, stretch, whole, grazing, tilt);
     case Distribution::phong:
     case Distribution::blinn:
-      return addStretchOf<Distribution::blinn>(setting, places, stretch, whole, grazing);
+      return addStretchOf<Distribution::blinn>(setting, places, stretch, whole, grazing, tilt);
     case Distribution::ggx:
-      return addStretchOf<Distribution::ggx>(setting, places, stretch, whole, grazing);
+      return addStretchOf<Distribution::ggx>(setting, places, stretch, whole, grazing, tilt);
   }
 }
 
@@ -263,13 +268,15 @@ float DirectionalAlbedo::grazing() const {
   return total() > 0.0f ? std::pow(std::clamp(bias / total(), 0.0f, 1.0f), 0.2f) : 1.0f;
 }
 
+float DirectionalAlbedo::meanTilt() const { return total() > 0.0f ? std::clamp(tilt / total(), 0.0f, 1.0f) : 1.0f; }
+
 DirectionalAlbedo directionalAlbedo(Distribution distribution, float perceptual_roughness, float cosine) {
   assert(perceptual_roughness >= 0.0f && perceptual_roughness <= 1.0f && cosine >= 0.0f && cosine <= 1.0f);
   const bool is_cloth = distribution == Distribution::charlie;
   if (perceptual_roughness == 0.0f) {
     if (is_cloth) return {};
     const float grazing = std::pow(1.0f - cosine, 5.0f);
-    return {1.0f - grazing, grazing};
+    return {1.0f - grazing, grazing, 1.0f - cosine};
   }
   const double alpha = double(perceptual_roughness) * double(perceptual_roughness);
   const double eye = cosine;
@@ -282,13 +289,14 @@ DirectionalAlbedo directionalAlbedo(Distribution distribution, float perceptual_
   const Place second = placeOf((1.0 + sine) / (eye * width));  // tan θ₂
   double whole = 0.0;
   double grazing = 0.0;
+  double tilt = 0.0;
   const SharePlaces& places = placesFor(distribution);
   const auto add = HWY_DYNAMIC_DISPATCH(addStretch);
-  add(distribution, setting, places, {0.0, first.y, first.to_one, true}, whole, grazing);
+  add(distribution, setting, places, {0.0, first.y, first.to_one, true}, whole, grazing, tilt);
   if (second.to_one < first.to_one)
-    add(distribution, setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
+    add(distribution, setting, places, {first.y, second.y, second.to_one, false}, whole, grazing, tilt);
   if (is_cloth) return {static_cast<float>(whole), 0.0f};
-  return {static_cast<float>(whole - grazing), static_cast<float>(grazing)};
+  return {static_cast<float>(whole - grazing), static_cast<float>(grazing), static_cast<float>(tilt)};
 }
 
 float averageAlbedo(Distribution distribution, float perceptual_roughness) {

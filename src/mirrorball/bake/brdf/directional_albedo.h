@@ -9,14 +9,18 @@ namespace mirrorball {
 struct DirectionalAlbedo {
   float scale = 0.0f;
   float bias = 0.0f;
+  float tilt = 0.0f;  ///< the same with 1 − cosine in place of Schlick's term, the cosine being that of a facet
 
   /// Of a surface whose facets reflect all.
   float total() const { return scale + bias; }
   /// 1 − the cosine at which Schlick's term (1 − cosine)⁵ is its mean over the facets; in [0, 1].
   float grazing() const;
+  /// The mean of 1 − cosine over the facets; in [0, 1].
+  float meanTilt() const;
 };
 
-/// The two integrals of the split sum, ∫ D V (1 − Fc) n·l dl and ∫ D V Fc n·l dl with Fc = (1 − v·h)⁵.
+/// The two integrals of the split sum, ∫ D V (1 − Fc) n·l dl and ∫ D V Fc n·l dl with Fc = (1 − v·h)⁵, and a third with
+/// 1 − v·h in place of Fc.
 ///
 /// distribution         ggx with Smith's masking and shadowing correlated by height (Heitz 2014, eq. 99), V = G2 / (4
 ///                      n·v n·l); blinn with Walter's fit of Smith's for its exponent, correlated alike; phong is taken
@@ -24,7 +28,7 @@ struct DirectionalAlbedo {
 ///                      that all is scale and a cloth of sheen colour f0 reflects f0 · scale
 /// perceptual_roughness in [0, 1]
 /// cosine               n·v in [0, 1]
-/// returns              both exact to 5e-5. charlie's is no share of energy: near grazing it passes 1 and grows as
+/// returns              all exact to 5e-5. charlie's is no share of energy: near grazing it passes 1 and grows as
 ///                      0.4 / perceptual_roughness, since V ignores shadowing
 /// cost                 about 1 µs for ggx with AVX2, 10 to 20 µs for the others
 /// from                 Karis 2013, "Real shading in Unreal Engine 4"; Walter et al. 2007, eq. 27 and p. 8; Estevez &

@@ -12,19 +12,21 @@
 namespace mirrorball {
 namespace {
 
-/// The BRDF table in the form of Surface::environment_brdf, and a channel of zeros. What is missing to 1 lights a
-/// surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that where it is
-/// nothing: of a sun more than of a room.
-Result<Image> missingAndGrazing() {
-  MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
-  Image shares(table.width(), table.height(), 3);
+/// The BRDF table in the form of formula::environmentBrdf, with zeros where the sheen will be. What is missing to 1
+/// lights a surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that where
+/// it is nothing: of a sun more than of a room.
+Result<Image> missingAndTilted() {
+  MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped, .has_tilt = true}));
+  Image shares(table.width(), table.height(), 4);
   for (int y = 0; y < table.height(); ++y)
     for (int x = 0; x < table.width(); ++x) {
-      const DirectionalAlbedo albedo{.scale = table.texel(x, y)[0], .bias = table.texel(x, y)[1]};
+      const float* texel = table.texel(x, y);
+      const DirectionalAlbedo albedo{.scale = texel[0], .bias = texel[1], .tilt = texel[2]};
       float* share = shares.texel(x, y);
       // A mirror, row 0, has no facets that light could go to and fro between.
       share[0] = y == 0 ? 0.0f : std::max(1.0f - albedo.total(), 0.0f);
       share[1] = albedo.grazing();
+      share[3] = albedo.meanTilt();
     }
   return shares;
 }
@@ -50,7 +52,7 @@ void copyInto(Image& target, int left, const Image& source) {
 
 // Both are made once, since they are the same for every renderer and all their inputs stand here.
 Result<Image> surfaceBrdfTable() {
-  static const Result<Image> table = missingAndGrazing();
+  static const Result<Image> table = missingAndTilted();
   return table;
 }
 

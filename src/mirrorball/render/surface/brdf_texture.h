@@ -6,13 +6,13 @@
 
 namespace mirrorball {
 
-/// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
-/// of formula/surface/shading.glsl, in its third 0. Needs no GL context.
+/// The BRDF table as shaders/surface/ looks it up, on warped axes: in its channels 0, 1 and 3 Surface::environment_brdf
+/// of formula/surface/shading.glsl, in channel 2 zeros. Needs no GL context.
 ///
 /// cost     about 20 ms on 2 cores; made once
 Result<Image> surfaceBrdfTable();
 
-/// The same with the albedo of white cloth in its third channel.
+/// The same with the albedo of white cloth in channel 2.
 ///
 /// cost     about 60 ms more; made once
 Result<Image> surfaceBrdfTableWithCloth();

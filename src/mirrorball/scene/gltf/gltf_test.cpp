@@ -356,7 +356,7 @@ TEST(Gltf, ReadsSpecularAndGlossinessWithoutLoss) {
   EXPECT_EQ(material.opacity, 0.5f);
   surface.material = material;
   surface.normal = {0.0f, 0.0f, 1.0f};
-  surface.environment_brdf = glm::vec2(0.0f);
+  surface.environment_brdf = glm::vec3(0.0f);
   EXPECT_LT(glm::distance(formula::smoothDielectric(surface.material, 1.0f), glm::vec3(0.1f, 0.7f, 0.3f)), 1e-6f);
   surface.material.perceptual_roughness = 0.0f;
   EXPECT_LT(glm::distance(formula::seenAlong(surface, {0.0f, 0.0f, -1.0f}).diffuse_albedo,

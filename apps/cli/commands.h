@@ -13,6 +13,7 @@ Command bakeCommand();
 Command captureCommand();
 Command exportCommand();
 Command infoCommand();
+Command lightsCommand();
 Command compareCommand();
 Command photoCommand();
 Command surfaceCommand();

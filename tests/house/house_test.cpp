@@ -35,7 +35,8 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"environment", {"codec"}},
     {"photo", {"environment"}},
     {"bake", {"environment"}},
-    {"output", {"bake"}},
+    {"light_edit", {"bake", "metric"}},
+    {"output", {"light_edit"}},
     {"height_field", {"image"}},
     {"scene", {"codec", "height_field"}},
     {"gl", {"image"}},
@@ -44,7 +45,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"transfer", {"rays", "height_field"}},
     {"render", {"gl", "rays", "bake"}},
     {"study", {"render", "trace", "metric"}},
-    {"view", {"study", "photo"}},
+    {"view", {"study", "photo", "light_edit"}},
 };
 
 /// The folders of render/, each of which may include itself and those before it.

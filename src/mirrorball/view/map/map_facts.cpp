@@ -103,9 +103,9 @@ void addOwnTexel(const Environment& light, glm::vec3 d, std::vector<MapFact>& fa
   addLight(rgbAt(map->face(position.face), texel.x, texel.y), facts);
 }
 
-std::string lampText(const Lamp& lamp) {
+std::string lampText(const MapLamp& lamp) {
   return "towards " + numbersText("%.3f", {lamp.direction.x, lamp.direction.y, lamp.direction.z}) + ", " +
-         numberText(lamp.solid_angle_sr) + " sr, radiance " + lightText(lamp.radiance) + ", " +
+         numberText(lamp.solidAngle_sr()) + " sr, radiance " + lightText(lamp.radiance()) + ", " +
          numbersText("%.2g", {100.0f * lamp.share}) + " % of the light";
 }
 
@@ -151,7 +151,7 @@ std::vector<MapFact> mapFacts(const PreparedMap& map, const MapViewSettings& set
   addFaults(TexelFault::not_finite, faulty.not_finite);
   addFaults(TexelFault::negative, faulty.negative);
   addFaults(TexelFault::too_bright, faulty.too_bright);
-  for (const Lamp& lamp : map.lamps) facts.push_back({"lamp", lampText(lamp)});
+  for (const MapLamp& lamp : map.lamps) facts.push_back({"lamp", lampText(lamp)});
   for (int band = 0; band <= settings.degree; ++band)
     for (int order = -band; order <= band; ++order) {
       const auto index = static_cast<std::size_t>(band * (band + 1) + order);

@@ -105,9 +105,9 @@ void drawFaultMarks(const PreparedMap& map, const MapLayout& layout, const MapVi
 void drawLampMarks(const PreparedMap& map, const MapLayout& layout, const MapViewSettings& settings, Image8& picture) {
   constexpr int kDots = 360;
   constexpr float kBeside_rad = 0.03f;
-  for (const Lamp& lamp : map.lamps) {
+  for (const MapLamp& lamp : map.lamps) {
     const glm::mat3 frame = centredOn(lamp.direction);
-    const float angle = std::min(lamp.angularRadius() + kBeside_rad, std::numbers::pi_v<float>);
+    const float angle = std::min(lamp.angular_size_rad / 2.0f + kBeside_rad, std::numbers::pi_v<float>);
     for (int dot = 0; dot < kDots; ++dot) {
       const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(dot) / kDots;
       const glm::vec3 beside(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle));

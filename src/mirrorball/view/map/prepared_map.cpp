@@ -7,6 +7,7 @@
 #include "formula/prefilter.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/light_edit/lamp_search.h"
 #include "mirrorball/render/light/environment_light.h"
 
 namespace mirrorball {
@@ -35,13 +36,14 @@ Result<Harmonics> harmonicsOf(const Environment& light, const ProgressFunction& 
   return radianceHarmonics(analysed, MapViewSettings::kMaxDegree);
 }
 
-std::vector<Lamp> lampsIn(const PreparedMap& map) {
+std::vector<MapLamp> lampsIn(const PreparedMap& map) {
   // The first band is the mean, times the root of the sphere's solid angle.
   const glm::vec3 all = map.harmonics[0] / formula::harmonic(0, glm::vec3(0.0f, 0.0f, 1.0f));
   const auto searched = std::find_if(map.mips.begin(), map.mips.end(), [](const PreparedMap::Light& level) {
     return level->map()->size() <= kLargestSearchedSide;
   });
-  return lampsOf(*(*searched)->map(), all, PreparedMap::kMostLamps);
+  return findLamps(*(*searched)->map(), all,
+                   {.max = PreparedMap::kMostLamps, .min_share = PreparedMap::kLeastShareOfLamp});
 }
 
 /// The coarsest mip level with so many texels a radian, or more detail than any has: the map itself.

@@ -11,8 +11,8 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/light_edit/map_lamp.h"
 #include "mirrorball/view/map/faulty_texels.h"
-#include "mirrorball/view/map/lamps.h"
 #include "mirrorball/view/map/map_view_settings.h"
 #include "mirrorball/view/map/waveform.h"
 
@@ -20,7 +20,8 @@ namespace mirrorball {
 
 /// A map with all that takes long to find of it. It does not change: copies share its images.
 struct PreparedMap {
-  static constexpr std::size_t kMostLamps = 16;
+  static constexpr int kMostLamps = 16;
+  static constexpr float kLeastShareOfLamp = 1e-3f;
 
   using Light = std::shared_ptr<const Environment>;
 
@@ -30,8 +31,8 @@ struct PreparedMap {
   std::vector<Light> prefiltered = {};  ///< cubes, for levels 1 and up of a chain whose last has roughness 1
   Harmonics harmonics = {};             ///< of the radiance, up to MapViewSettings::kMaxDegree
   FaultyTexels faulty = {};
-  std::vector<Lamp> lamps = {};  ///< the strongest, at most kMostLamps
-  Waveform waveform = {};        ///< of a panorama of at most 1024 × 512 texels
+  std::vector<MapLamp> lamps = {};  ///< the strongest, at most kMostLamps
+  Waveform waveform = {};           ///< of a panorama of at most 1024 × 512 texels
   /// The light of a photograph that it was unwrapped from; null: it was from none.
   std::shared_ptr<const Image> photograph = {};
 };

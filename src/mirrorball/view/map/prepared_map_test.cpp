@@ -119,17 +119,17 @@ TEST(Lamps, AreFoundWithTheirPlaceSizeAndLight) {
       const float rest = 0.1f * (4.0f * formula::kPi - angles[0] - angles[1]);
       const float all = 200.0f * angles[0] + 50.0f * angles[1] + rest;
       // They shine alike, so that either may come first.
-      const std::size_t narrow = map.lamps[0].radiance.x > 100.0f ? 0 : 1;
+      const std::size_t narrow = map.lamps[0].radiance().x > 100.0f ? 0 : 1;
       const glm::vec3 directions[] = {first, second};
       const float radiances[] = {200.0f, 50.0f};
       for (std::size_t i = 0; i < 2; ++i) {
-        const Lamp& lamp = map.lamps[i == 0 ? narrow : 1 - narrow];
+        const MapLamp& lamp = map.lamps[i == 0 ? narrow : 1 - narrow];
         EXPECT_GT(glm::dot(lamp.direction, directions[i]), 0.99999f);
-        EXPECT_NEAR(lamp.solid_angle_sr / angles[i], 1.0f, 0.03f);
-        EXPECT_NEAR(lamp.radiance.x / radiances[i], 1.0f, 0.03f);
+        EXPECT_NEAR(lamp.solidAngle_sr() / angles[i], 1.0f, 0.03f);
+        EXPECT_NEAR(lamp.radiance().x / radiances[i], 1.0f, 0.03f);
         EXPECT_NEAR(lamp.irradiance.x / (angles[i] * radiances[i]), 1.0f, 0.03f);
         EXPECT_NEAR(lamp.share, angles[i] * radiances[i] / all, 0.02f);
-        EXPECT_NEAR(lamp.angularRadius(), i == 0 ? kNarrow_rad : kWide_rad, 0.002f);
+        EXPECT_NEAR(lamp.angular_size_rad / 2.0f, i == 0 ? kNarrow_rad : kWide_rad, 0.002f);
       }
     }
 }

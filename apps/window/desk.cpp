@@ -223,17 +223,18 @@ void Desk::drawSizeFields(glm::ivec2 picture_px, bool has_animation) {
 
 void Desk::accept(Viewer& viewer) {
   told_.clear();
-  if (path().empty()) return;
-  if (dialog_ == Dialog::open) return open(viewer, {path()});
+  const std::string file = typedPath(path());
+  if (file.empty()) return;
+  if (dialog_ == Dialog::open) return open(viewer, {file});
   if (dialog_ == Dialog::save_picture)
-    return viewer.savePicture({.path = path(),
+    return viewer.savePicture({.path = file,
                                .size_px = saved_px_,
                                .frames = frames_,
                                .plays = plays_,
                                .side = editedSide(viewer.workspace())});
-  const auto saved = saveWorkspace(path(), viewer.stillWorkspace());
-  told_ = saved ? "wrote " + path() : saved.error().message;
-  if (saved && recent_) recent_->note(path());
+  const auto saved = saveWorkspace(file, viewer.stillWorkspace());
+  told_ = saved ? "wrote " + file : saved.error().message;
+  if (saved && recent_) recent_->note(file);
 }
 
 void Desk::copyCommandLine(const Viewer& viewer) {

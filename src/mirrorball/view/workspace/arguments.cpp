@@ -1,5 +1,6 @@
 #include "mirrorball/view/workspace/arguments.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -193,6 +194,12 @@ Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
   if (wants_truth && !isTraced(workspace, 0) && !isTraced(workspace, 1)) workspace = withTruth(std::move(workspace));
   if (is_builtin && !names_environment && workspace.model == start.model) return withShowcase(std::move(workspace));
   return workspace;
+}
+
+std::string typedPath(const std::string& text) {
+  const char* const home = std::getenv("HOME");
+  const bool is_in_home = text == "~" || text.rfind("~/", 0) == 0;
+  return is_in_home && home != nullptr ? home + text.substr(1) : text;
 }
 
 Result<std::vector<std::string>> renderArguments(const Workspace& workspace, std::size_t side) {

@@ -15,6 +15,9 @@ namespace mirrorball {
 /// errors   usage; as withFile's
 Result<Workspace> workspaceOf(std::span<const std::string> arguments);
 
+/// The path that somebody has typed, where no shell has read it: ~ at its beginning is the user's home.
+std::string typedPath(const std::string& text);
+
 /// The words after `mirrorball render` that draw a half of it; workspaceOf() them shows the same. Of a photograph they
 /// name the panorama that the first command of renderCommandLine() writes.
 ///

@@ -1,5 +1,6 @@
 #include "mirrorball/view/workspace/arguments.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -121,6 +122,15 @@ TEST(OpenedFile, IsTakenForWhatItIs) {
   EXPECT_FALSE(withFile({}, fileWith("opened.txt", "hello")));
   EXPECT_FALSE(withFile({}, fileWith("opened_empty", "")));
   EXPECT_FALSE(withFile({}, ::testing::TempDir() + "opened_nowhere.hdr"));
+}
+
+TEST(TypedPath, HomeIsWhatAShellWouldMakeOfIt) {
+  const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "~";
+  EXPECT_EQ(typedPath("~/maps/sky.hdr"), home + "/maps/sky.hdr");
+  EXPECT_EQ(typedPath("~"), home);
+  EXPECT_EQ(typedPath("~other/sky.hdr"), "~other/sky.hdr") << "another user's, whom we do not know";
+  EXPECT_EQ(typedPath("a~/sky.hdr"), "a~/sky.hdr");
+  EXPECT_EQ(typedPath(""), "");
 }
 
 }  // namespace

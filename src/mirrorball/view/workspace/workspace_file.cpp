@@ -14,6 +14,8 @@
 #include "mirrorball/base/json_reader.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/view/workspace/asked_map.h"
 
 namespace mirrorball {
@@ -146,6 +148,32 @@ Result<void> checkWorkspace(const Workspace& workspace) {
   return {};
 }
 
+bool isBuiltin(std::string_view name) { return contains(builtinModelNames(), name) || isBuiltinEnvironment(name); }
+
+std::filesystem::path wholePath(const std::string& name) {
+  std::error_code error;
+  return std::filesystem::absolute(name, error).lexically_normal();
+}
+
+/// The name of a file, seen from the folder of another one if it lies in it, else absolute.
+std::string nameBeside(const std::string& other, const std::string& name) {
+  const std::filesystem::path whole = wholePath(name);
+  const std::filesystem::path within = whole.lexically_relative(wholePath(other).parent_path());
+  return (within.empty() || *within.begin() == ".." ? whole : within).string();
+}
+
+/// Changes the names of all files that a workspace shows.
+template <typename Change>
+Workspace withNames(Workspace workspace, const Change& change) {
+  const auto changed = [&](const std::string& name) { return isBuiltin(name) || name.empty() ? name : change(name); };
+  workspace.model = changed(workspace.model);
+  for (std::string& map : workspace.maps) map = changed(map);
+  std::map<std::string, GivenTexts> photos;
+  for (auto& [name, given] : workspace.photos) photos[changed(name)] = std::move(given);
+  workspace.photos = std::move(photos);
+  return workspace;
+}
+
 }  // namespace
 
 std::string writtenWorkspace(const Workspace& workspace) {
@@ -195,13 +223,16 @@ Result<void> saveWorkspace(const std::string& path, const Workspace& workspace) 
   std::error_code error;
   if (std::filesystem::exists(path, error) && !loadWorkspace(path))
     return fail(ErrorCode::usage, path + ": is there already and no workspace; choose another name");
-  const std::string text = writtenWorkspace(workspace);
+  const std::string text =
+      writtenWorkspace(withNames(workspace, [&](const std::string& name) { return nameBeside(path, name); }));
   return writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 Result<Workspace> loadWorkspace(const std::string& path) {
   MIRRORBALL_TRY(bytes, readFile(path, kLargestFile));
-  return withName(path, readWorkspace({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  MIRRORBALL_TRY(read, withName(path, readWorkspace({reinterpret_cast<const char*>(bytes.data()), bytes.size()})));
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return withNames(std::move(read), [&](const std::string& name) { return (folder / name).string(); });
 }
 
 }  // namespace mirrorball

@@ -30,9 +30,30 @@ Workspace something() {
 TEST(WorkspaceFile, ReadsWhatItHasWritten) {
   EXPECT_EQ(*readWorkspace(writtenWorkspace(something())), something());
   EXPECT_EQ(*readWorkspace(writtenWorkspace({})), Workspace());
-  const std::string path = ::testing::TempDir() + "workspace.json";
-  ASSERT_TRUE(saveWorkspace(path, something()));
-  EXPECT_EQ(*loadWorkspace(path), something());
+}
+
+TEST(WorkspaceFile, NamesOfFilesAreRightFromAnyFolder) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(::testing::TempDir()) / "workspace_names";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "maps");
+  const std::string ball = (folder / "maps" / "ball.jpg").string();
+  Workspace workspace{.model = (folder / "helmet.glb").string(), .maps = {"studio", "elsewhere.hdr", ball}};
+  workspace.photos[ball] = {{"circle", {"1,2,3"}}};
+  ASSERT_TRUE(saveWorkspace((folder / "view.json").string(), workspace));
+  const std::string elsewhere = fs::absolute("elsewhere.hdr").string();
+  Workspace absolute = workspace;
+  absolute.maps[1] = elsewhere;
+  EXPECT_EQ(*loadWorkspace((folder / "view.json").string()), absolute);
+  // Moved with its files.
+  const fs::path moved = fs::path(::testing::TempDir()) / "workspace_names_moved";
+  fs::remove_all(moved);
+  fs::rename(folder, moved);
+  const Workspace there = *loadWorkspace((moved / "view.json").string());
+  EXPECT_EQ(there.model, (moved / "helmet.glb").string());
+  EXPECT_EQ(there.maps, (std::vector<std::string>{"studio", elsewhere, (moved / "maps" / "ball.jpg").string()}));
+  EXPECT_TRUE(there.photos.contains(there.maps[2]));
+  fs::remove_all(moved);
 }
 
 TEST(WorkspaceFile, WhatIsNotNamedIsAsInANewOne) {

@@ -51,10 +51,12 @@ MapThumbnails::MapThumbnails(const Device& device) : on_(new OnDevice{device}) {
 Result<bool> MapThumbnails::follow(const Workspace& workspace) {
   if (auto ready = making_.take()) {
     MIRRORBALL_TRY_VOID(on_->device.state().context.enter());
-    std::optional<gl::Framebuffer>& picture = on_->pictures[made_];
+    std::optional<gl::Framebuffer>& picture = on_->thumbnails.at(making_key_).picture;
     if (*ready) {
       MIRRORBALL_TRY_VOID(gl::resize(picture, gl::Format::rgba8, {(*ready)->width(), (*ready)->height()}));
       picture->upload(std::move(**ready));
+    } else {
+      picture.reset();
     }
     return true;
   }
@@ -63,23 +65,36 @@ Result<bool> MapThumbnails::follow(const Workspace& workspace) {
   const auto is_let_go = [&](const auto& each) {
     return !contains(workspace.maps, each.first.first) || each.first != keyOf(workspace, each.first.first);
   };
-  if (std::erase_if(on_->pictures, is_let_go) > 0) return true;
+  if (std::erase_if(on_->thumbnails, is_let_go) > 0) return true;
   for (const std::string& map : workspace.maps) {
-    made_ = keyOf(workspace, map);
-    if (on_->pictures.contains(made_)) continue;
-    AskedMap asked{map};
-    if (made_.second) asked.photo = workspace.photos.at(map);
-    making_.begin([asked](const ProgressFunction& progress) { return thumbnailOf(asked, progress); });
+    if (isMade(workspace, map)) continue;
+    making_key_ = keyOf(workspace, map);
+    Thumbnail& thumbnail = on_->thumbnails[making_key_];
+    thumbnail.asked = askedMap(workspace, map);
+    thumbnail.watch.watch({map});
+    thumbnail.is_stale = false;
+    making_.begin([asked = thumbnail.asked](const ProgressFunction& progress) { return thumbnailOf(asked, progress); });
     break;
   }
   return false;
 }
 
+bool MapThumbnails::isMade(const Workspace& workspace, const std::string& map) const {
+  const auto found = on_->thumbnails.find(keyOf(workspace, map));
+  if (found == on_->thumbnails.end() || found->second.is_stale) return false;
+  return found->second.picture || found->second.asked == askedMap(workspace, map);
+}
+
 bool MapThumbnails::isDone(const Workspace& workspace) const {
   if (!hasSeveralMaps(workspace)) return true;
   for (const std::string& map : workspace.maps)
-    if (!on_->pictures.contains(keyOf(workspace, map))) return false;
+    if (!isMade(workspace, map)) return false;
   return !making_.isRunning();
+}
+
+void MapThumbnails::askDisk() {
+  for (auto& [key, thumbnail] : on_->thumbnails)
+    if (thumbnail.watch.hasChanged()) thumbnail.is_stale = true;
 }
 
 std::vector<MapThumbnail> MapThumbnails::of(const Workspace& workspace) const {
@@ -88,10 +103,11 @@ std::vector<MapThumbnail> MapThumbnails::of(const Workspace& workspace) const {
   const std::string& shown = mapOf(workspace, editedSide(workspace));
   for (const std::string& map : workspace.maps) {
     MapThumbnail& thumbnail = thumbnails.emplace_back(MapThumbnail{.name = map, .is_shown = map == shown});
-    const auto found = on_->pictures.find(keyOf(workspace, map));
-    if (found == on_->pictures.end() || !found->second) continue;
-    thumbnail.texture = found->second->color().name();
-    thumbnail.size_px = {found->second->width(), found->second->height()};
+    const auto found = on_->thumbnails.find(keyOf(workspace, map));
+    if (found == on_->thumbnails.end() || !found->second.picture) continue;
+    const gl::Framebuffer& picture = *found->second.picture;
+    thumbnail.texture = picture.color().name();
+    thumbnail.size_px = {picture.width(), picture.height()};
   }
   return thumbnails;
 }

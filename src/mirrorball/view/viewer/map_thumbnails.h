@@ -13,7 +13,9 @@
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/view/viewer/background_task.h"
+#include "mirrorball/view/viewer/file_watch.h"
 #include "mirrorball/view/viewer/viewer_status.h"
+#include "mirrorball/view/workspace/asked_map.h"
 #include "mirrorball/view/workspace/workspace.h"
 
 namespace mirrorball {
@@ -30,6 +32,9 @@ class MapThumbnails {
   Result<bool> follow(const Workspace& workspace);
   bool isDone(const Workspace& workspace) const;
 
+  /// Has those made again whose files have changed; until they are, the ones before are shown.
+  void askDisk();
+
   /// In the workspace's order; empty: it has but one panorama.
   std::vector<MapThumbnail> of(const Workspace& workspace) const;
 
@@ -38,13 +43,21 @@ class MapThumbnails {
   using Key = std::pair<std::string, bool>;
   static Key keyOf(const Workspace& workspace, const std::string& map);
 
-  struct OnDevice {
-    Device device;                                                // outlives all else
-    std::map<Key, std::optional<gl::Framebuffer>> pictures = {};  // nothing: it cannot be loaded
+  struct Thumbnail {
+    std::optional<gl::Framebuffer> picture;  // nothing: it cannot be loaded
+    AskedMap asked;                          // of which it was made
+    FileWatch watch = {};
+    bool is_stale = false;
   };
+  struct OnDevice {
+    Device device;                             // outlives all else
+    std::map<Key, Thumbnail> thumbnails = {};  // and those that are made
+  };
+  /// Whether there is nothing to make of a map: what failed is tried again when it is asked for otherwise.
+  bool isMade(const Workspace& workspace, const std::string& map) const;
   std::unique_ptr<OnDevice, EndOnDevice> on_;
   BackgroundTask<Image8> making_;
-  Key made_;  // that is made now
+  Key making_key_;
 };
 
 }  // namespace mirrorball

@@ -270,5 +270,20 @@ TEST_F(ViewerPhotographTest, TheSavedPageIsWhatIsSeen) {
   EXPECT_EQ(differing(saved, *viewer.picture(), 0, kPageSize.x), 0);
 }
 
+// A ball that is not found is one whose circle is given.
+TEST_F(ViewerPhotographTest, OfOneWithoutABallThereIsAPictureOnceItsCircleIsGiven) {
+  const std::string wall = testing::photographOfWall("thumbnail_of_wall.hdr");
+  Workspace workspace = mirrorIn("white");
+  workspace.maps.push_back(wall);
+  workspace.photos[wall] = {};
+  Viewer viewer(device(), workspace, kViewerSize);
+  finish(viewer);
+  ASSERT_EQ(viewer.thumbnails().at(1).texture, 0u);
+  workspace.photos[wall] = {{"circle", {"120,85,60"}}};
+  viewer.history().change("Circle", workspace);
+  finish(viewer);
+  EXPECT_NE(viewer.thumbnails().at(1).texture, 0u);
+}
+
 }  // namespace
 }  // namespace mirrorball

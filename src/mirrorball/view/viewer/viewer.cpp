@@ -123,6 +123,7 @@ void Viewer::State::askDisk(double seconds) {
   model.askDisk();
   for (const auto& stage : stages) stage->askDisk();
   map.askDisk();
+  thumbnails.askDisk();
 }
 
 LitStage& Viewer::State::stageOf(std::size_t side) const {

@@ -280,6 +280,20 @@ TEST_F(ViewerTest, PanoramasAreSeenInSmall) {
   EXPECT_EQ(thumbnails[2].texture, 0u) << "it cannot be loaded";
 }
 
+TEST_F(ViewerTest, AMapInSmallIsMadeAgainOnceItsFileIsThere) {
+  const std::string later = ::testing::TempDir() + "comes_later.hdr";
+  std::filesystem::remove(later);
+  Workspace workspace = teapot();
+  workspace.maps = {"white", later};
+  Viewer viewer(device(), workspace, kSize);
+  finish(viewer);
+  ASSERT_EQ(viewer.thumbnails().at(1).texture, 0u);
+  ASSERT_TRUE(writeImage(later, Image(8, 4, 3, 1.0f)));
+  for (int second = 0; second < 4; ++second) ASSERT_TRUE(viewer.advance(1.0));
+  finish(viewer);
+  EXPECT_NE(viewer.thumbnails().at(1).texture, 0u);
+}
+
 TEST_F(ViewerTest, EndsWhileItLoads) {
   for (int steps = 0; steps < 4; ++steps) {
     Workspace big = teapot();

@@ -10,9 +10,11 @@
 
 namespace mirrorball {
 
-AskedMap askedMap(const Workspace& workspace, std::size_t side) {
-  AskedMap map{mapOf(workspace, side)};
-  if (const auto found = workspace.photos.find(map.name); found != workspace.photos.end()) map.photo = found->second;
+AskedMap askedMap(const Workspace& workspace, std::size_t side) { return askedMap(workspace, mapOf(workspace, side)); }
+
+AskedMap askedMap(const Workspace& workspace, const std::string& name) {
+  AskedMap map{name};
+  if (const auto found = workspace.photos.find(name); found != workspace.photos.end()) map.photo = found->second;
   return map;
 }
 

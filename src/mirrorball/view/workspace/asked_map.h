@@ -18,8 +18,9 @@ struct AskedMap {
   bool operator==(const AskedMap&) const = default;
 };
 
-/// The map of a half.
+/// The map of a half, or of a name.
 AskedMap askedMap(const Workspace& workspace, std::size_t side);
+AskedMap askedMap(const Workspace& workspace, const std::string& name);
 
 /// Settings that hold all of some texts.
 ///

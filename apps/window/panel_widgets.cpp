@@ -113,6 +113,12 @@ void drawRow(Viewer& viewer, const PanelRow& row) {
   ImGui::PopID();
 }
 
+/// Scrolls the window to what was drawn last, if another is now the one of this number.
+void scrollToOnce(int number) {
+  int& before = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("scrolled to"), -1);
+  if (std::exchange(before, number) != number) ImGui::SetScrollHereX();
+}
+
 }  // namespace
 
 void drawPanels(Viewer& viewer, std::string& search, bool is_wanted) {
@@ -238,15 +244,19 @@ void drawThumbnails(Viewer& viewer, float scale) {
     if (i > 0) ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Button,
                           ImGui::GetStyleColorVec4(each.is_shown ? ImGuiCol_HeaderActive : ImGuiCol_Button));
+    constexpr int kFrame_px = 3;
     const ImVec2 size(96.0f * scale, 48.0f * scale);
+    // As large, so that nothing moves when the picture is there.
+    const ImVec2 framed(size.x + 2.0f * kFrame_px, size.y + 2.0f * kFrame_px);
     const bool is_chosen =
-        each.texture == 0 ? ImGui::Button("...", size)
+        each.texture == 0 ? ImGui::Button("...", framed)
                           : ImGui::ImageButton(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(each.texture)),
-                                               size, {0, 1}, {1, 0}, 3);
+                                               size, {0, 1}, {1, 0}, kFrame_px);
     if (is_chosen) viewer.history().change("Another panorama", withMapShown(viewer.workspace(), i));
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.name.c_str());
     ImGui::PopStyleColor();
     ImGui::PopID();
+    if (each.is_shown) scrollToOnce(static_cast<int>(i));
   }
   ImGui::End();
 }

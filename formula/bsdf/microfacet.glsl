@@ -20,18 +20,18 @@ FN float widenedRoughness(float perceptual_roughness, float variance) {
 const float kKeptOfMissing = 0.72f;
 
 // Multiple scattering: the share of white light that leaves a rough surface after two or more bounces between its
-// facets. The missing share of all light meets a second one, and each facet reflects the mean share F: the first, too,
-// since light that stays between the facets has met others than those that send it to the eye at once. Of what the
-// second reflects the part e leaves, and of the rest the same. This is a geometric series, as in Fdez-Agüera 2019 ("A
+// facets. Of what the first facets reflect, the missing share meets a second one, which reflects the mean share F. Of
+// that the part e leaves, and of the rest the same. This is a geometric series, as in Fdez-Agüera 2019 ("A
 // multiple-scattering microfacet model for real-time image-based lighting", eqs. 9 to 12), whose e is 1 − missing: too
-// small, so that grey metal of roughness 1 lost a seventh of its light; and whose first facets are those of single
-// scattering. For facets that reflect everything it adds up to exactly what that leaves missing.
-//   mean_fresnel       the facets' reflectance, averaged over the cosine-weighted hemisphere
+// small, so that grey metal of roughness 1 lost a seventh of its light. For facets that reflect everything it adds up to
+// exactly what single scattering leaves missing.
+//   first_fresnel      the reflectance of those that such light meets first
+//   mean_fresnel       that of facets, averaged over the cosine-weighted hemisphere
 //   missing            1 − scale − bias: the share that facets with reflectance 1 do not send away at the first bounce;
 //                      below 1
-FN vec3 multipleScattering(vec3 mean_fresnel, float missing) {
+FN vec3 multipleScattering(vec3 first_fresnel, vec3 mean_fresnel, float missing) {
   float kept = kKeptOfMissing * missing;
-  return mean_fresnel * mean_fresnel * (missing * (1.0f - kept)) / (vec3(1.0f) - mean_fresnel * kept);
+  return first_fresnel * mean_fresnel * (missing * (1.0f - kept)) / (vec3(1.0f) - mean_fresnel * kept);
 }
 
 // The cosine-weighted mean of a reflectance, 2 ∫ F(μ) μ dμ, from its values at three cosines: Gauss and Jacobi's rule,

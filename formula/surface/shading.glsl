@@ -121,24 +121,30 @@ FN vec3 smoothDielectric(Material m, float cosine) {
   return tintedReflectance(m, dielectricReflectance(m, cosine, ior), dielectricReflectance(m, 1.0f, ior));
 }
 
-// What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere. Light
-// that stretched facets do not send away at once goes to and fro in their grooves and leaves along them with the rest:
-// a series as in multipleScattering.
-FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
-  float missing = s.environment_brdf.x;
-  float held = 1.0f - s.stretched_share;
-  Reflectance r;
-  r.single_scattering = facets * (1.0f - missing) * s.stretched_share / (vec3(1.0f) - held * facets);
-  r.multiple_scattering = multipleScattering(mean, missing);
-  return r;
-}
-
 // The reflectance of the facets of a rough metal or dielectric.
 struct FacetShares {
   vec3 seen;    // by the eye
   vec3 normal;  // at normal incidence
   vec3 mean;    // over the hemisphere, for multiple scattering
 };
+
+// The reflectance of the facets which that light meets first that stays between them. They are tilted at least as far
+// from the eye as those that it sees, which are few along the normal, and at least as far as all are on average: random
+// walks have them farther still (the test MultipleScattering).
+FN vec3 firstOfSeveral(FacetShares facets) {
+  return mix(min(facets.seen, facets.mean), max(facets.seen, facets.mean), step(facets.normal, facets.mean));
+}
+
+// What a surface reflects that has such facets. Light that stretched ones do not send away at once goes to and fro in
+// their grooves and leaves along them with the rest: a series as in multipleScattering.
+FN Reflectance roughReflectance(Surface s, FacetShares facets) {
+  float missing = s.environment_brdf.x;
+  float held = 1.0f - s.stretched_share;
+  Reflectance r;
+  r.single_scattering = facets.seen * (1.0f - missing) * s.stretched_share / (vec3(1.0f) - held * facets.seen);
+  r.multiple_scattering = multipleScattering(firstOfSeveral(facets), facets.mean, missing);
+  return r;
+}
 
 // In a loop, so that what a film reflects stands in the shader once.
 FN FacetShares facetShares(Surface s, float cosine, bool is_metal) {
@@ -165,8 +171,11 @@ FN Material withGreySpecular(Material m) {
 }
 
 FN Reflectance dielectricOf(Surface s, Material tint, FacetShares facets) {
-  return roughReflectance(s, tintedReflectance(tint, facets.seen, facets.normal),
-                          tintedReflectance(tint, facets.mean, facets.normal));
+  FacetShares tinted;
+  tinted.seen = tintedReflectance(tint, facets.seen, facets.normal);
+  tinted.normal = tintedReflectance(tint, facets.normal, facets.normal);
+  tinted.mean = tintedReflectance(tint, facets.mean, facets.normal);
+  return roughReflectance(s, tinted);
 }
 
 // How much of what facets reflect they do not reflect at normal incidence: nothing where a film makes it less.
@@ -186,7 +195,7 @@ FN Surface seenAlong(Surface s, vec3 ray) {
   if (m.metallic > 0.0f) of_metal = facetShares(s, cosine, true);
   Reflectance dielectric = dielectricOf(s, m, facets);
   Reflectance kept_out = dielectricOf(s, withGreySpecular(m), facets);
-  Reflectance metal = roughReflectance(s, of_metal.seen, of_metal.mean);
+  Reflectance metal = roughReflectance(s, of_metal);
   s.reflectance.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, m.metallic);
   s.reflectance.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, m.metallic);
   vec3 seen = mix(tintedReflectance(m, facets.seen, facets.normal), of_metal.seen, m.metallic);

@@ -74,8 +74,9 @@ TEST(LodOfLobe, KnowsThatLevelsHalveRoundingDown) {
 }
 
 TEST(Microfacet, SingleAndMultipleScatteringOfAWhiteSurfaceAddUpToOne) {
-  for (const float missing : {0.7f, 0.3f, 0.0f}) EXPECT_NEAR(multipleScattering(vec3(1.0f), missing).x, missing, 1e-6f);
-  EXPECT_EQ(multipleScattering(vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
+  for (const float missing : {0.7f, 0.3f, 0.0f})
+    EXPECT_NEAR(multipleScattering(vec3(1.0f), vec3(1.0f), missing).x, missing, 1e-6f);
+  EXPECT_EQ(multipleScattering(vec3(0.5f), vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
 }
 
 TEST(Microfacet, EachFurtherBounceTakesItsShare) {
@@ -83,13 +84,13 @@ TEST(Microfacet, EachFurtherBounceTakesItsShare) {
   const float missing = 0.4f;
   const float leaves = 1.0f - kKeptOfMissing * missing;
   float sum = 0.0f;
-  float share = mean_fresnel * missing;  // of the first facets
+  float share = 0.9f * missing;  // of the first facets, which reflect 0.9
   for (int bounce = 0; bounce < 50; ++bounce) {
     share *= mean_fresnel;
     sum += leaves * share;
     share *= 1.0f - leaves;
   }
-  EXPECT_NEAR(multipleScattering(vec3(mean_fresnel), missing).x, sum, 1e-6f);
+  EXPECT_NEAR(multipleScattering(vec3(0.9f), vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
 TEST(Microfacet, MeanFresnelIsThatOfTheWholeHemisphere) {

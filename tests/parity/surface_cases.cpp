@@ -140,7 +140,7 @@ const Case kSurfaceCases[] = {
     // microfacet
     PARITY(widenedRoughness, unit, kTight, vec4(widenedRoughness(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(q), 0.75f * r.x), 0.0f)),
+    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
 
     // occlusion
     PARITY(visibleSlice, unit, kTranscendental,
@@ -342,9 +342,13 @@ const Case kSurfaceCases[] = {
                 0.0f, 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental,
            vec4(smoothDielectric(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
-    PARITY(roughReflectance, direction, kTight,
-           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
-                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
+    PARITY(firstOfSeveral, unit, kExact, vec4(firstOfSeveral(FacetShares(vec3(p), vec3(q), vec3(r))), 0.0f)),
+    PARITY(
+        roughReflectance, direction, kTight,
+        vec4(
+            roughReflectance(testSurface(p, q, r), FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.w))).single_scattering,
+            roughReflectance(testSurface(p, q, r), FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.w)))
+                .multiple_scattering.x)),
     PARITY(facetsSeen, direction, kTight, vec4(facetsSeen(testSurface(p, q, r), p.w), 0.0f, 0.0f)),
     PARITY(facetShares, direction, kTranscendental,
            vec4(facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).seen,

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/bsdf.h"
+#include "formula/surface.h"
 
 namespace mirrorball {
 namespace {
@@ -115,14 +116,15 @@ TEST(MultipleScattering, IsWhatRaysBetweenTheFacetsBring) {
         float several = 0.0f;
         for (std::size_t bounces = 2; bounces < shares.size(); ++bounces)
           several += shares[bounces] * std::pow(reflectance, static_cast<float>(bounces));
-        const glm::vec3 found = formula::multipleScattering(glm::vec3(reflectance), 1.0f - shares[1]);
+        const glm::vec3 found =
+            formula::multipleScattering(glm::vec3(reflectance), glm::vec3(reflectance), 1.0f - shares[1]);
         EXPECT_NEAR(found.x, several, 0.01f) << roughness << " at " << cosine << ", " << reflectance;
       }
     }
 }
 
-// And for such as reflect more or less at grazing angles: those between which light goes to and fro are met at all.
-TEST(MultipleScattering, BeginsWithTheMeanOfTheFacets) {
+// And for such as reflect more or less at grazing angles.
+TEST(MultipleScattering, MeetsTiltedFacetsFirst) {
   const std::vector<std::function<float(float)>> forms = {
       [](float c) { return formula::fresnelDielectric(c, 1.5f); },
       [](float c) { return formula::fresnelF82(c, glm::vec3(0.9f), glm::vec3(0.5f)).x; },
@@ -131,19 +133,24 @@ TEST(MultipleScattering, BeginsWithTheMeanOfTheFacets) {
   for (std::size_t form = 0; form < forms.size(); ++form)
     for (const float roughness : {0.6f, 1.0f})
       for (const float cosine : {1.0f, 0.5f, 0.2f}) {
+        double once = 0.0;
         double several = 0.0;
         double missing = 0.0;
         forEachWalk(roughness * roughness, cosine, kRays, [&](const std::vector<float>& met) {
-          if (met.size() < 2) return;
           double share = 1.0 / kRays;
-          missing += share;
+          if (met.size() > 1) missing += share;
           for (const float at : met) share *= double(forms[form](at));
-          several += share;
+          (met.size() > 1 ? several : once) += share;
         });
         const glm::vec3 at = formula::kMeanFresnelCosines;
-        const glm::vec3 mean(
+        formula::FacetShares facets;
+        facets.seen = glm::vec3(float(once / (1.0 - missing)));
+        facets.normal = glm::vec3(forms[form](1.0f));
+        facets.mean = glm::vec3(
             glm::dot(formula::kMeanFresnelWeights, glm::vec3(forms[form](at.x), forms[form](at.y), forms[form](at.z))));
-        EXPECT_NEAR(formula::multipleScattering(mean, static_cast<float>(missing)).x, several, 0.035)
+        EXPECT_NEAR(
+            formula::multipleScattering(formula::firstOfSeveral(facets), facets.mean, static_cast<float>(missing)).x,
+            several, 0.035)
             << "form " << form << ", " << roughness << " at " << cosine;
       }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/parallel.h"
@@ -13,6 +14,7 @@ namespace mirrorball {
 namespace {
 
 constexpr int kBlurredSize = 64;  // of the cubes that hold the rest's light, which has no small lamps
+constexpr int kCoarseRows = 512;
 constexpr int kNormals = 2000;
 constexpr int kTurns = 64;
 constexpr int kPointsOfDisc = 256;
@@ -99,6 +101,14 @@ class LightUnderLobe {
   Lobe lobe_;
 };
 
+/// A map with as much detail as wide lobes show, in which no light is lost.
+Result<Environment> coarseOf(const EnvironmentMap& map, const ProgressFunction& progress) {
+  Environment whole(map);
+  if (whole.naturalSize(Projection::equirect) <= kCoarseRows) return whole;
+  MIRRORBALL_TRY(coarse, convert(whole, Projection::equirect, kCoarseRows, {}, progress));
+  return Environment(std::move(coarse));
+}
+
 /// Calls `measure(direction)` for many on all cores.
 ///
 /// returns  its results, in their order
@@ -145,10 +155,11 @@ Result<std::vector<LampError>> lampErrors(const SplitMap& split, const ProgressF
   if (split.taken.empty()) return errors;
   const Lobe cosine = Lobe::cosine();
   const Lobe rough = Lobe::reflection(Distribution::ggx, LampError::kRoughness);
-  constexpr std::size_t kSteps = 4;
-  MIRRORBALL_TRY(rest, LightHarmonics::make(Environment(split.rest), {cosine, rough}, partOf(progress, 0, 2, kSteps)));
-  MIRRORBALL_TRY(irradiance, LightUnderLobe::make(split, rest, cosine, partOf(progress, 2, 1, kSteps)));
-  MIRRORBALL_TRY(reflected, LightUnderLobe::make(split, rest, rough, partOf(progress, 3, 1, kSteps)));
+  constexpr std::size_t kSteps = 5;
+  MIRRORBALL_TRY(coarse, coarseOf(split.rest, partOf(progress, 0, 2, kSteps)));
+  MIRRORBALL_TRY(rest, LightHarmonics::make(coarse, {cosine, rough}, partOf(progress, 2, 1, kSteps)));
+  MIRRORBALL_TRY(irradiance, LightUnderLobe::make(split, rest, cosine, partOf(progress, 3, 1, kSteps)));
+  MIRRORBALL_TRY(reflected, LightUnderLobe::make(split, rest, rough, partOf(progress, 4, 1, kSteps)));
   const std::vector<glm::vec3> around = directionsAllAround();
   for (const TakenLamp& taken : split.taken)
     errors.push_back({irradianceError(irradiance, taken, discOf(taken.lamp), around),

@@ -29,8 +29,8 @@ struct LampError {
 ///          at 192 more around each lamp, of which most are square to it; of the sphere, what it reflects by GGX's lobe
 ///          towards an eye that looks along its normal
 /// errors   too_large; interrupted (when `progress` says so)
-/// cost     that of the rest's irradiance and of its reflections at roughness 0.4 (docs/performance/prefiltering.md),
-///          and 10 ns for each normal and texel of a lamp; bit-identical for any number of threads
+/// cost     that of converting the rest to 512 rows and of the irradiance and reflections of those, one map more of
+///          memory, and 10 ns for each normal and texel of a lamp; bit-identical for any number of threads
 Result<std::vector<LampError>> lampErrors(const SplitMap& split, const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

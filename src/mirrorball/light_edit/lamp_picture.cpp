@@ -58,14 +58,15 @@ void drawOutline(const MapLamp& lamp, int reach, MarkColor color, Image8& pictur
   }
 }
 
-/// Beside the outline, with a dark edge.
+/// In the middle of a lamp, or beside the outline of one that is too small for it, with a dark edge.
 void drawNumber(const MapLamp& lamp, std::size_t number, Image8& picture) {
   const int scale = picture.height() > kMostRows / 2 ? 2 : 1;
   const std::string text = std::to_string(number);
   const float pixels_per_rad = texelDensity(Projection::equirect, picture.height());
-  const int away = static_cast<int>(lamp.reach_rad() * pixels_per_rad + 2.0f * kBeside_px);
+  const int reach = static_cast<int>(lamp.reach_rad() * pixels_per_rad + 2.0f * kBeside_px);
   const glm::ivec2 size(textWidth(text, scale), lineHeight(scale));
-  glm::ivec2 corner = pixelTowards(picture, lamp.direction) + glm::ivec2(away, -size.y / 2);
+  const int to_right = reach > 3 * size.x ? -size.x / 2 : reach;
+  glm::ivec2 corner = pixelTowards(picture, lamp.direction) + glm::ivec2(to_right, -size.y / 2);
   corner = glm::clamp(corner, glm::ivec2(1), glm::ivec2(picture.width(), picture.height()) - size - 1);
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) drawText(picture, corner + glm::ivec2(x, y) * scale, scale, kCasing, text);

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "mirrorball/base/observer.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/light_edit/map_lamp.h"
 

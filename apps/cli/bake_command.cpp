@@ -78,13 +78,16 @@ Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_
 ///
 /// errors   usage
 Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
-  constexpr std::array<std::string_view, 10> kOfFolders{
-      "irradiance-size", "sh-degree", "brdf-size", "brdf-channels", "brdf-axes",
-      "brdf-extension",  "lobe-rows", "skybox",    "skybox-size",   "extension"};
+  constexpr std::array<std::string_view, 13> kOfFolders{
+      "irradiance-size", "sh-degree",   "brdf-size", "brdf-channels", "brdf-axes", "brdf-extension", "lobe-rows",
+      "skybox",          "skybox-size", "extension", "split",         "min-share", "max-size"};
   if (isOneFile(request.options.output))
     return refuseGiven(request.given, kOfFolders,
                        {request.options.output + ": holds the specular chain only, and ",
                         " is for what lies beside it; name a folder, without an extension"});
+  if (!request.settings.split)
+    MIRRORBALL_TRY_VOID(refuseGiven(request.given, std::span(kOfFolders).last(2),
+                                    {"", " says which lamps are taken out of the maps; add --split"}));
   MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program));
   if (set.files != SetFiles::cmgens) return {};
   return refuseGiven(
@@ -209,6 +212,9 @@ Command bakeCommand() {
   bake.settings.made_by = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
   addOptions(command, std::span(&kBakeOutput, 1), bake.options);
   addOptions(command, bakedSetOptions(), bake.settings, &bake.given);
+  static const std::vector<Option<LampSettings>> of_lamps =
+      rowsNamed(lampOptions(), std::array<std::string_view, 2>{"min-share", "max-size"});
+  addOptions(command, of_lamps, bake.settings.lamps, &bake.given);
   addOptions(command, std::span(kBakeOptions).first(1), bake.options);
   addOptions(command, std::span(&kBakeRotate, 1), bake.settings);
   addOptions(command, std::span(kBakeOptions).subspan(1), bake.options);

@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -9,30 +9,61 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/formatted.h"
-#include "cli/json_values.h"
+#include "cli/files.h"
+#include "cli/lights_text.h"
 #include "cli/map_inputs.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/light_edit/lamp_picture.h"
 #include "mirrorball/light_edit/lamp_search.h"
-#include "mirrorball/output/lamps/lamp_json.h"
+#include "mirrorball/output/lamps/lamp_files.h"
+#include "mirrorball/output/map_file.h"
 
 namespace mirrorball::cli {
 namespace {
 
 /// What `lights` is told beside its map and the lamps that are wanted of it (LampSettings).
 struct LightsOptions {
+  std::string picture;
+  std::string split;
+  std::vector<std::string> lamp_files;
   bool json = false;
+  Display display{.tone_map = ToneMap::neutral};
   std::string from;
   bool repair = false;
   std::string max_memory;
 };
 
-const auto kLightsOptions = std::to_array<Option<LightsOptions>>({
-    {{.name = "json", .help = "print JSON: an array `lights`, the strongest first"}, &LightsOptions::json},
+const std::string kPictureHelp =
+    "also write the map as a panorama with the outlines of its lamps, as " + writtenExtensions(Holds::picture, " or ");
+const std::string kLampFilesHelp =
+    "with --split, write the lamps that are taken out to FILE, which ends in " + lampFileEndings() +
+    "; may be repeated; without it, REST_lamps.glb, REST_lamps.json and a snippet for the program of --for, if one is "
+    "known";
+
+const auto kOutputs = std::to_array<Option<LightsOptions>>({
+    {{.name = "output", .value = "PICTURE", .help = kPictureHelp, .letter = "o", .group = "Output", .takes_path = true},
+     &LightsOptions::picture},
+    {{.name = "split",
+      .value = "REST",
+      .help = "take the small lamps out of the map and write what is left to REST, a map such as rest.exr",
+      .group = "Output",
+      .takes_path = true},
+     &LightsOptions::split},
+    {{.name = "lamps", .value = "FILE", .help = kLampFilesHelp, .group = "Output", .takes_path = true},
+     &LightsOptions::lamp_files},
+    {{.name = "json", .help = "print JSON: an array `lights`, the strongest first", .group = "Output"},
+     &LightsOptions::json},
+    {exposureText(), numberField<&LightsOptions::display, &Display::exposure_ev>},
+    {toneMapText(), choiceField<&LightsOptions::display, &Display::tone_map>},
+});
+
+const auto kInputs = std::to_array<Option<LightsOptions>>({
     {{.name = "from",
       .value = "FORM",
       .help = "form of the map, if it is not recognised (see convert --from)",
@@ -48,57 +79,99 @@ struct LightsRequest {
   std::string input;
   LampSettings lamps;
   LightsOptions options;
+  MapFileOptions rest;
+  GivenOptions given;  ///< of those that mean something with --split alone, and others
 };
 
-std::string columnsOfDirection(glm::vec3 d) {
-  return formatted("%6.3f %6.3f %6.3f", double(d.x), double(d.y), double(d.z));
+/// Refuses what can be refused before the map is read, and names the lamps' files.
+///
+/// errors   usage; io: there is no such folder
+Result<void> settle(LightsRequest& request) {
+  LightsOptions& options = request.options;
+  if (!options.picture.empty()) {
+    if (!formatToWrite(options.picture, {Holds::picture}))
+      return fail(ErrorCode::usage, options.picture + ": outlines are drawn into a picture; name a " +
+                                        writtenExtensions(Holds::picture, " or ") +
+                                        " file, or say --split for a map without its lamps");
+    MIRRORBALL_TRY_VOID(checkFolder(options.picture));
+  }
+  if (options.split.empty()) {
+    for (const std::string_view name : {"lamps", "max-size", "for", "format", "layout"})
+      if (request.given.contains(name))
+        return fail(ErrorCode::usage, "--" + std::string(name) +
+                                          " says how small lamps and the rest of a map are written apart; add --split "
+                                          "REST.exr");
+    return {};
+  }
+  MIRRORBALL_TRY_VOID(checkFolder(options.split));
+  if (options.lamp_files.empty()) {
+    const std::filesystem::path rest(options.split);
+    options.lamp_files = lampFilesFor((rest.parent_path() / rest.stem()).string() + "_lamps", request.rest.program);
+  }
+  for (const std::string& file : options.lamp_files) {
+    MIRRORBALL_TRY_VOID(checkLampFile(file));
+    MIRRORBALL_TRY_VOID(checkFolder(file));
+  }
+  return {};
 }
 
-/// The table: a row for each lamp.
-std::string tableOf(std::span<const MapLamp> lamps) {
-  std::string text = "     share  direction to it      size    illuminance  irradiance (red green blue)\n";
-  for (std::size_t i = 0; i < lamps.size(); ++i) {
-    const MapLamp& lamp = lamps[i];
-    text += formatted("%2zu  %5.1f %%  ", i + 1, 100.0 * double(lamp.share)) + columnsOfDirection(lamp.direction) +
-            formatted("  %5.2f deg  %s%9s  ", double(glm::degrees(lamp.angular_size_rad)),
-                      lamp.is_clipped ? ">=" : "  ", shortText(double(lamp.illuminance())).c_str()) +
-            shortText(lamp.irradiance) + "\n";
+/// Writes a map apart from its lamps.
+Result<void> writeSplit(SplitMap split, const MapFile& rest, const std::vector<std::string>& lamp_files) {
+  const std::vector<MapLamp> lamps = takenLamps(split);
+  MIRRORBALL_TRY_VOID(rest.write(std::move(split.rest)));
+  for (const std::string& file : lamp_files) {
+    MIRRORBALL_TRY_VOID(writeLamps(file, lamps));
+    announce(file);
   }
-  return text;
+  return {};
 }
 
-void print(const std::string& name, std::span<const MapLamp> lamps, const LightsRequest& request) {
-  if (request.options.json) {
-    Json json{{"file", name}};
-    json.update(lampJson(lamps));
-    std::fputs(printedJson(json).c_str(), stdout);
-    return;
-  }
-  if (lamps.empty()) {
-    std::printf("%s: no lamp outshines the rest with %s %% of the light or more\n", name.c_str(),
-                shortText(100.0 * double(request.lamps.min_share)).c_str());
-    return;
-  }
-  double share = 0.0;
-  for (const MapLamp& lamp : lamps) share += double(lamp.share);
-  std::printf("%s: %s with %s %% of the light\n%s", name.c_str(), counted(lamps.size(), "lamp").c_str(),
-              formatted("%.3g", 100.0 * share).c_str(), tableOf(lamps).c_str());
-  for (const MapLamp& lamp : lamps)
-    if (lamp.is_clipped) {
-      std::printf(
-          ">= the brightest texels are all alike, as where a camera or a format clips: it is at least so much\n");
-      break;
-    }
+/// With --split: takes the small lamps out, tells how well that went, and writes both.
+///
+/// inputs   the map's files
+Result<void> splitInto(EnvironmentMap map, std::span<const std::string> inputs, const LightsRequest& request,
+                       FoundLights& found) {
+  const LightsOptions& options = request.options;
+  MIRRORBALL_TRY(rest, MapFile::resolve(options.split, request.rest, map.projection(), terminalObserver()));
+  std::vector<std::string> outputs = rest.paths();
+  outputs.insert(outputs.end(), options.lamp_files.begin(), options.lamp_files.end());
+  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs, outputs));
+  SplitMap split = splitMap(std::move(map), request.lamps);
+  MIRRORBALL_TRY(errors, lampErrors(split, progressBar("measure")));
+  found.is_split = true;
+  found.lamps = split.kept;
+  found.taken = takenLamps(split);
+  found.errors = std::move(errors);
+  return writeSplit(std::move(split), rest, options.lamp_files);
 }
 
-Result<void> findLights(const LightsRequest& request) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
-  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded, loadMap(request.input, {.from = hint, .repair = request.options.repair}, progressBar("read")));
-  const std::string name = shown(request.input);
+Result<void> drawLamps(const Environment& map, const LightsOptions& options, const FoundLights& found) {
+  std::vector<MapLamp> lamps = found.taken;
+  lamps.insert(lamps.end(), found.lamps.begin(), found.lamps.end());
+  MIRRORBALL_TRY(picture, lampPicture(map, lamps, options.display, progressBar("draw")));
+  MIRRORBALL_TRY_VOID(savePicture(options.picture, picture));
+  announce(options.picture);
+  return {};
+}
+
+Result<void> findLights(LightsRequest& request) {
+  MIRRORBALL_TRY_VOID(settle(request));
+  const LightsOptions& options = request.options;
+  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
+  MIRRORBALL_TRY(hint, formHintNamed(options.from));
+  MIRRORBALL_TRY(loaded, loadMap(request.input, {.from = hint, .repair = options.repair}, progressBar("read")));
+  if (!options.picture.empty()) MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, {&options.picture, 1}));
+  FoundLights found{.name = shown(request.input), .min_share = request.lamps.min_share};
   MIRRORBALL_TRY(map, searchedMap(std::move(loaded.environment), progressBar("convert")));
-  MIRRORBALL_TRY_VOID(withName(name, checkLight(map, terminalObserver().named(name))));
-  print(name, findLamps(map, wholeLight(map), request.lamps), request);
+  MIRRORBALL_TRY_VOID(withName(found.name, checkLight(map, terminalObserver().named(found.name))));
+  Environment drawn({}, 1);
+  if (!options.picture.empty()) drawn = Environment(map);
+  if (options.split.empty())
+    found.lamps = findLamps(map, wholeLight(map), request.lamps);
+  else
+    MIRRORBALL_TRY_VOID(splitInto(std::move(map), loaded.files, request, found));
+  if (!options.picture.empty()) MIRRORBALL_TRY_VOID(drawLamps(drawn, options, found));
+  std::fputs((options.json ? jsonOf(found) : textOf(found)).c_str(), stdout);
   return {};
 }
 
@@ -106,10 +179,16 @@ Result<void> findLights(const LightsRequest& request) {
 
 Command lightsCommand() {
   auto request = std::make_shared<LightsRequest>();
-  Command command{.name = "lights",
-                  .help = "Finds the lamps of an environment map: suns, windows, soft boxes",
-                  .about = "MAP is a map, a built-in environment, or - for standard input.",
-                  .examples = {{"lights room.hdr", "where its lamps are, how large, and how much light they give"}}};
+  Command command{
+      .name = "lights",
+      .help = "Finds the lamps of an environment map (suns, windows, soft boxes), and takes suns out of it",
+      .about =
+          "MAP is a map, a built-in environment, or - for standard input. Irradiance and illuminance, its "
+          "luminance, are those of a surface that faces the lamp, in the map's own unit: lx where its radiance is "
+          "in cd/m².",
+      .examples = {{"lights room.hdr -o lamps.png", "where its lamps are, how large, and how much light they give"},
+                   {"lights garden.hdr --split rest.exr --for three",
+                    "the map without its sun, and the sun as glTF, JSON and code of three.js"}}};
   addArgument(command,
               {.name = "MAP",
                .help = "a map (" + std::string(readExtensions()) +
@@ -118,8 +197,12 @@ Command lightsCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->input);
-  addOptions(command, lampOptions(), request->lamps);
-  addOptions(command, kLightsOptions, request->options);
+  addOptions(command, lampOptions(), request->lamps, &request->given);
+  addOptions(command, kOutputs, request->options, &request->given);
+  static const std::vector<Option<MapFileOptions>> of_rest =
+      rowsNamed(mapFileOptions(), std::array<std::string_view, 3>{"for", "format", "layout"});
+  addOptions(command, of_rest, request->rest, &request->given);
+  addOptions(command, kInputs, request->options);
   command.action = [request]() -> Result<void> {
     MIRRORBALL_TRY_VOID(readStandardInput({&request->input}));
     return findLights(*request);

@@ -178,4 +178,15 @@ SplitMap splitLamps(EnvironmentMap map, const std::vector<MapLamp>& lamps, float
   return split;
 }
 
+SplitMap splitMap(EnvironmentMap map, const LampSettings& settings) {
+  const std::vector<MapLamp> lamps = findLamps(map, wholeLight(map), settings);
+  return splitLamps(std::move(map), lamps, glm::radians(settings.max_size_deg));
+}
+
+std::vector<MapLamp> takenLamps(const SplitMap& split) {
+  std::vector<MapLamp> lamps;
+  for (const TakenLamp& taken : split.taken) lamps.push_back(taken.lamp);
+  return lamps;
+}
+
 }  // namespace mirrorball

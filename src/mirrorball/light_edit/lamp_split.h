@@ -4,6 +4,7 @@
 
 #include "mirrorball/bake/prefilter/bright_lights.h"
 #include "mirrorball/environment/environment_map.h"
+#include "mirrorball/light_edit/lamp_settings.h"
 #include "mirrorball/light_edit/map_lamp.h"
 
 namespace mirrorball {
@@ -34,5 +35,14 @@ struct SplitMap {
 /// from     Poisson's formula holds on a cap as in a plane: stereographic projection keeps harmonic functions, and
 ///          squared distances but for factors that cancel in a mean over a circle
 SplitMap splitLamps(EnvironmentMap map, const std::vector<MapLamp>& lamps, float max_size_rad);
+
+/// The same of the lamps that are found in it.
+///
+/// map      a panorama or a cube; finite, not negative
+/// cost     wholeLight's, findLamps' and splitLamps'
+SplitMap splitMap(EnvironmentMap map, const LampSettings& settings = {});
+
+/// The lamps that were taken out.
+std::vector<MapLamp> takenLamps(const SplitMap& split);
 
 }  // namespace mirrorball

@@ -24,6 +24,12 @@ float MapLamp::reach_rad() const {
   return static_cast<float>(reach);
 }
 
+MapLamp turned(MapLamp lamp, const glm::mat3& turn) {
+  lamp.direction = glm::normalize(turn * lamp.direction);
+  for (glm::vec3& corner : lamp.outline) corner = glm::normalize(turn * corner);
+  return lamp;
+}
+
 double angleBetween(glm::dvec3 a, glm::dvec3 b) { return 2.0 * std::atan2(glm::length(a - b), glm::length(a + b)); }
 
 }  // namespace mirrorball

@@ -30,6 +30,11 @@ struct MapLamp {
   float reach_rad() const;
 };
 
+/// A lamp of a map that is turned.
+///
+/// turn     a rotation
+MapLamp turned(MapLamp lamp, const glm::mat3& turn);
+
 /// The angle between two unit directions [rad], exact for small ones, too.
 double angleBetween(glm::dvec3 a, glm::dvec3 b);
 

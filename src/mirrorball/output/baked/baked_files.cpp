@@ -10,6 +10,7 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/output/lamps/lamp_files.h"
 
 namespace mirrorball {
 namespace {
@@ -104,6 +105,7 @@ Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettin
                    CubeFiles::resolve(settings.file, folder, {prefix + "skybox", "skybox"}, extension, 1, observer));
     files.skybox = std::move(skybox);
   }
+  if (settings.split) files.lamps = lampFilesFor(folder + "/" + kLampStem, settings.file.program);
   if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
   return files;
 }
@@ -142,6 +144,7 @@ std::vector<std::string> BakedFiles::paths() const {
   if (irradiance) add(irradiance->paths());
   if (skybox) add(skybox->paths());
   if (brdf) add({brdf->path});
+  add(lamps);
   if (lobe_rows) add({lobe_rows->texture(), lobe_rows->text()});
   if (set.files == SetFiles::cmgens)
     add({folder + "/sh.txt"});

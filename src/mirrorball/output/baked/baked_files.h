@@ -19,6 +19,9 @@ std::span<const std::string_view> bakedBrdfExtensions();
 /// The value of a setting as its option writes it: "ggx".
 std::string writtenSetting(const BakedSetSettings& settings, std::string_view name);
 
+/// What the names of a set's lamps begin with.
+inline constexpr const char* kLampStem = "lamps";
+
 /// Where the files of a set are, and how they are stored.
 struct BakedFiles {
   std::string folder = {};  ///< empty: the chain alone
@@ -28,6 +31,7 @@ struct BakedFiles {
   std::optional<CubeFiles> skybox = {};
   std::optional<BrdfFile> brdf = {};
   std::optional<LobeRowFiles> lobe_rows = {};
+  std::vector<std::string> lamps = {};  ///< writeLamps knows them by their endings
 
   /// output, settings   as BakedSet::resolve's, levels and format settled
   /// errors             usage: no such folder can be, or no such files

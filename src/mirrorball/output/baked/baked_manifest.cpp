@@ -17,6 +17,7 @@
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
 #include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/output/lamps/lamp_files.h"
 
 namespace mirrorball {
 namespace {
@@ -105,6 +106,14 @@ Json lobeRowsJson(const LobeRowFiles& files) {
   return json;
 }
 
+Json lampsJson(const std::vector<std::string>& paths, std::size_t count) {
+  Json json;
+  addFiles(paths, json);
+  json["count"] = count;
+  json["what"] = "directional lights that were taken out of all maps: add both";
+  return json;
+}
+
 Json harmonicsJson(const EngineSet& set, const BakedSetSettings& settings) {
   if (set.files == SetFiles::cmgens)
     return {{"file", "sh.txt"}, {"degree", 2}, {"what", "irradiance / pi, as coefficients of Filament's polynomial"}};
@@ -132,6 +141,7 @@ bool isOurs(const fs::path& name) {
   const std::string stem = name.stem().string();
   const std::string extension = extensionOf(name);
   if (stem == "sh") return extension == "json" || extension == "h" || extension == "txt";
+  if (name.string().starts_with(kLampStem) && checkLampFile(name.string())) return true;
   if (name == LobeRowFiles::kTextureName || name == LobeRowFiles::kTextName) return true;
   if (!formatToWrite(name, {Holds::light, Holds::texture})) return false;
   if (isTexturePath(name) && (stem.ends_with("_ibl") || stem.ends_with("_skybox"))) return true;
@@ -163,6 +173,7 @@ std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const B
         cubeJson(*files.skybox, facts.formats.skybox, facts.skybox_size, "radiance: the environment as it is");
   if (files.brdf) json["brdf"] = brdfJson(*files.brdf, settings);
   if (files.lobe_rows) json["lobe_rows"] = lobeRowsJson(*files.lobe_rows);
+  if (!files.lamps.empty()) json["lamps"] = lampsJson(files.lamps, facts.lamps);
   json["harmonics"] = harmonicsJson(files.set, settings);
   // File names need not be UTF-8, which JSON is.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -20,6 +20,7 @@ struct BakedFacts {
   const std::vector<PrefilterLevel>& levels;  ///< of the specular mip chain
   int skybox_size;
   WrittenFormats formats;
+  std::size_t lamps;  ///< how many were taken out
 };
 
 /// manifest.json: what is what in a set.

@@ -16,9 +16,12 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/light_edit/lamp_search.h"
+#include "mirrorball/light_edit/lamp_split.h"
 #include "mirrorball/output/baked/baked_files.h"
 #include "mirrorball/output/baked/baked_manifest.h"
 #include "mirrorball/output/baked/harmonics_text.h"
+#include "mirrorball/output/lamps/lamp_files.h"
 
 namespace mirrorball {
 namespace {
@@ -139,6 +142,13 @@ class SetWriter {
     return writeText(LobeRowFiles::kTextName, lobeRowText(rows));
   }
 
+  Result<void> writeLampFile(const std::string& path, const std::vector<MapLamp>& lamps) {
+    MIRRORBALL_TRY_VOID(goOn());
+    MIRRORBALL_TRY_VOID(ofSet(writeLamps(path, lamps)));
+    observer_.tellWritten(path);
+    return {};
+  }
+
   Result<void> writeText(const std::string& name, const std::string& text) {
     MIRRORBALL_TRY_VOID(goOn());
     const std::string path = files_.folder + "/" + name;
@@ -176,8 +186,9 @@ struct BakedSet::Parts {
   bool is_counted;                         // whether the number of levels was asked for
   std::unique_ptr<LaterTable> table = {};  // refers to the others, and so goes first
 
+  Result<std::vector<MapLamp>> takeLamps(LoadedEnvironment& environment) const;
   Result<BakedMaps> bakeMaps(LoadedEnvironment& environment) const;
-  Result<void> writeFolder(BakedMaps maps, Image brdf, const LoadedEnvironment& of);
+  Result<void> writeFolder(BakedMaps maps, Image brdf, const std::vector<MapLamp>& lamps, const LoadedEnvironment& of);
 };
 
 BakedSet::BakedSet(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -213,6 +224,21 @@ Result<void> BakedSet::begin() {
   return {};
 }
 
+/// Leaves an environment without its small lamps.
+///
+/// returns  those, turned as the maps are
+Result<std::vector<MapLamp>> BakedSet::Parts::takeLamps(LoadedEnvironment& environment) const {
+  std::vector<MapLamp> lamps;
+  if (files.lamps.empty()) return lamps;
+  MIRRORBALL_TRY(map, searchedMap(std::move(environment.environment), observer.progressOf("lamps")));
+  MIRRORBALL_TRY_VOID(withName(environment.name, checkLight(map, observer.named(environment.name))));
+  SplitMap split = splitMap(std::move(map), settings.lamps);
+  environment.environment = Environment(std::move(split.rest));
+  const glm::mat3 target_from_source = glm::transpose(sourceFromRotated(settings.rotate_deg));
+  for (const MapLamp& lamp : takenLamps(split)) lamps.push_back(turned(lamp, target_from_source));
+  return lamps;
+}
+
 Result<BakedMaps> BakedSet::Parts::bakeMaps(LoadedEnvironment& environment) const {
   const std::string name = environment.name;
   const BakeSettings which = bakeSettings(settings, files, environment.environment);
@@ -231,13 +257,14 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
     MIRRORBALL_TRY(made, std::exchange(parts.table, nullptr)->get());
     table = std::move(made);
   }
+  MIRRORBALL_TRY(lamps, parts.observer.timed("lamps: split", [&] { return parts.takeLamps(environment); }));
   MIRRORBALL_TRY(maps, parts.bakeMaps(environment));
   if (parts.files.brdf && table.empty()) {
     MIRRORBALL_TRY(made, LaterTable(parts.settings, parts.observer).get());
     table = std::move(made);
   }
   return parts.observer.timed("files: write", [&]() -> Result<void> {
-    if (!parts.files.folder.empty()) return parts.writeFolder(std::move(maps), std::move(table), environment);
+    if (!parts.files.folder.empty()) return parts.writeFolder(std::move(maps), std::move(table), lamps, environment);
     const Metadata facts = factsFor(parts.files.set, maps.radiance);
     MIRRORBALL_TRY_VOID(parts.files.specular.write(std::move(maps.specular), facts, [] { return Result<void>(); }));
     parts.files.specular.remarkOnForm();
@@ -245,7 +272,8 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
   });
 }
 
-Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const LoadedEnvironment& of) {
+Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const std::vector<MapLamp>& lamps,
+                                          const LoadedEnvironment& of) {
   MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
   SetWriter writer(
       files, observer,
@@ -262,6 +290,7 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const Load
   formats.skybox = skybox;
   MIRRORBALL_TRY_VOID(writer.writeTable(files.brdf, std::move(brdf)));
   MIRRORBALL_TRY_VOID(writer.writeRows(files.lobe_rows));
+  for (const std::string& file : files.lamps) MIRRORBALL_TRY_VOID(writer.writeLampFile(file, lamps));
   BakedSetSettings named = settings;
   if (named.source.empty()) named.source = of.name;
   if (files.set.files == SetFiles::cmgens) {
@@ -270,7 +299,8 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const Load
     MIRRORBALL_TRY_VOID(writer.writeText("sh.json", harmonicsJson(maps.radiance, settings.harmonics_degree)));
     MIRRORBALL_TRY_VOID(writer.writeText("sh.h", harmonicsHeader(maps.radiance, named.source)));
   }
-  MIRRORBALL_TRY_VOID(writer.writeText("manifest.json", manifestOf({maps.levels, skybox_size, formats}, files, named)));
+  MIRRORBALL_TRY_VOID(
+      writer.writeText("manifest.json", manifestOf({maps.levels, skybox_size, formats, lamps.size()}, files, named)));
   folder.keep();
   return {};
 }

@@ -11,6 +11,7 @@
 #include "mirrorball/base/observer.h"
 #include "mirrorball/base/option.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/light_edit/lamp_settings.h"
 #include "mirrorball/output/map_file.h"
 #include "mirrorball/output/save_map.h"
 
@@ -34,6 +35,8 @@ struct BakedSetSettings {
   std::string brdf_extension = {};
   bool skybox = false;                 ///< also write the environment itself
   int skybox_size = 0;                 ///< side of its faces [texels]; 0: as fine as the environment, at most 1024
+  bool split = false;                  ///< take small lamps out of the maps, and write them as files of their own
+  LampSettings lamps = {};             ///< which; in a folder alone
   std::string extension = {};          ///< of the cubes' files; empty: the engine's
   std::vector<float> rotate_deg = {};  ///< turns the light by yaw, pitch and roll; those that are missing are 0
   std::string made_by = "mirrorball";  ///< the program, for the manifest
@@ -41,7 +44,7 @@ struct BakedSetSettings {
   MapFileOptions file = {};            ///< of the cubes; their layout is the set's
 };
 
-/// The table of these settings, except for `rotate_deg`, `made_by`, `source` and `file`.
+/// The table of these settings, except for `lamps`, `rotate_deg`, `made_by`, `source` and `file`.
 std::span<const Option<BakedSetSettings>> bakedSetOptions();
 
 /// The maps of an environment that an engine needs, as files: a folder of them with a manifest, or the specular mip

@@ -110,6 +110,10 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .maximum = 8192,
       .help = "side of a face of the skybox; 0: as fine as the environment, but at most 1024"},
      &BakedSetSettings::skybox_size},
+    {{.name = "split",
+      .help = "take small lamps, such as the sun, out of all maps and write them beside them as directional lights: "
+              "lamps.glb, lamps.json and, {option:for} three, godot and blender, code"},
+     &BakedSetSettings::split},
     {{.name = "extension",
       .value = kCubeExtensions,
       .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "

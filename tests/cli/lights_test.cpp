@@ -1,0 +1,145 @@
+// lights finds lamps, and takes them out of a map; bake --split does that, too.
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::StartsWith;
+
+/// A grey map with a sun of one texel: row 60 of 128 is a little above the horizon, and column 128 straight ahead.
+class LightsTest : public CliTest {
+ protected:
+  LightsTest() {
+    Image map(512, 256, 3, 0.5f);
+    std::fill_n(map.texel(256, 100), 3, 3e4f);
+    map.texel(256, 100)[2] = 1e4f;
+    write("map.exr", map);
+    write("grey.exr", Image(64, 32, 3, 0.5f));
+  }
+};
+
+TEST_F(LightsTest, ATableTellsOfEachLamp) {
+  const std::string said = succeed("lights map.exr");
+  EXPECT_THAT(said, AllOf(StartsWith("map.exr: 1 lamp with "), HasSubstr(" 1   "), EndsWith("\n")));
+  EXPECT_EQ(succeed("lights grey.exr"), "grey.exr: no lamp outshines the rest with 1 % of the light or more\n");
+  EXPECT_THAT(succeed("lights white --min-share 0.2"), HasSubstr("with 20 % of the light"));
+}
+
+TEST_F(LightsTest, ProgramsGetTheSame) {
+  const Json said = Json::parse(succeed("lights map.exr --json"));
+  EXPECT_EQ(said["file"], "map.exr");
+  ASSERT_EQ(said["lights"].size(), 1u);
+  const Json& lamp = said["lights"][0];
+  EXPECT_NEAR(lamp["direction"][2].get<double>(), 0.944, 0.01);
+  EXPECT_NEAR(lamp["irradiance"][0].get<double>() / lamp["irradiance"][2].get<double>(), 3.0, 1e-4);
+  EXPECT_NEAR(lamp["angular_size"].get<double>(), 0.8, 0.2);
+  EXPECT_EQ(lamp["is_lower_bound"], false);
+  EXPECT_GE(lamp["outline"].size(), 4u);
+  EXPECT_NEAR(lamp["share"].get<double>(), 0.39, 0.01);
+  EXPECT_EQ(Json::parse(succeed("lights grey.exr --json"))["lights"], Json::array());
+}
+
+TEST_F(LightsTest, AClippedSunIsALowerBound) {
+  Image map(256, 128, 3, 0.01f);
+  for (int y = 30; y < 33; ++y)
+    for (int x = 60; x < 63; ++x) std::fill_n(map.texel(x, y), 3, 1.0f);
+  write("photo.png", map);
+  EXPECT_THAT(succeed("lights photo.png"), AllOf(HasSubstr(">= "), HasSubstr("it is at least so much")));
+  EXPECT_EQ(Json::parse(succeed("lights photo.png --json"))["lights"][0]["is_lower_bound"], true);
+}
+
+TEST_F(LightsTest, APictureHasTheOutlines) {
+  succeed("lights map.exr -o lamps.png");
+  const Image picture = image("lamps.png");
+  EXPECT_EQ(picture.height(), 256);
+  int marks = 0;
+  for (int y = 80; y < 120; ++y)
+    for (int x = 230; x < 290; ++x) marks += picture.texel(x, y)[1] > 0.9f && picture.texel(x, y)[0] < 0.2f ? 1 : 0;
+  EXPECT_GT(marks, 20);
+  EXPECT_THAT(refuse(2, "lights map.exr -o lamps.exr"), HasSubstr("--split"));
+}
+
+TEST_F(LightsTest, SplitWritesTheRestAndTheLamps) {
+  const std::string said = succeed("lights map.exr --split rest.exr --for godot");
+  EXPECT_THAT(said, AllOf(HasSubstr("taken out: 1 lamp"), HasSubstr("from one direction")));
+  EXPECT_THAT(files(), IsSupersetOf({"rest.exr", "rest_lamps.gd", "rest_lamps.glb", "rest_lamps.json"}));
+  const Image rest = image("rest.exr");
+  for (const float sample : rest.samples()) EXPECT_NEAR(sample, 0.5f, 1e-4f);
+  const Json lamps = Json::parse(bytes("rest_lamps.json"));
+  ASSERT_EQ(lamps["lights"].size(), 1u);
+  const Bytes gltf = bytes("rest_lamps.glb");
+  const Json scene = Json::parse(gltf.begin() + 20, gltf.end());
+  const Json& light = scene["extensions"]["KHR_lights_punctual"]["lights"][0];
+  EXPECT_EQ(light["type"], "directional");
+  EXPECT_NEAR(light["intensity"].get<double>(), lamps["lights"][0]["irradiance"][0].get<double>(), 1e-5);
+  // What a node's turn makes of +Z is the way to the lamp.
+  const Json& turn = scene["nodes"][0]["rotation"];
+  const double x = turn[0], y = turn[1], z = turn[2], w = turn[3];
+  EXPECT_NEAR(2.0 * (x * z + w * y), lamps["lights"][0]["direction"][0].get<double>(), 1e-5);
+  EXPECT_NEAR(2.0 * (y * z - w * x), lamps["lights"][0]["direction"][1].get<double>(), 1e-5);
+  EXPECT_NEAR(1.0 - 2.0 * (x * x + y * y), lamps["lights"][0]["direction"][2].get<double>(), 1e-5);
+}
+
+TEST_F(LightsTest, EachProgramHasItsAxesAndUnits) {
+  const Json lamp =
+      Json::parse(succeed("lights map.exr --split rest.exr --json --lamps a.three.js --lamps a.babylon.js "
+                          "--lamps a.gd --lamps a.py"))["lights"][0];
+  const auto text = [&](const char* name) {
+    const Bytes read = bytes(name);
+    return std::string(read.begin(), read.end());
+  };
+  const std::string intensity = lamp["irradiance"][0].dump();
+  const std::string up = lamp["direction"][1].dump();
+  const std::string ahead = lamp["direction"][2].dump();
+  EXPECT_THAT(text("a.three.js"),
+              AllOf(HasSubstr(", " + up + ", " + ahead + ").multiplyScalar"), HasSubstr("), " + intensity)));
+  EXPECT_THAT(text("a.babylon.js"),
+              AllOf(HasSubstr(", -" + up + ", -" + ahead + "), scene"), HasSubstr("intensity = " + intensity)));
+  EXPECT_THAT(text("a.gd"), AllOf(HasSubstr(", " + up + ", " + ahead + "), \"color\""), HasSubstr("irradiance / PI")));
+  EXPECT_THAT(text("a.py"), AllOf(HasSubstr(", -" + ahead + ", " + up + "), ("), HasSubstr("), " + intensity)));
+  EXPECT_THAT(refuse(2, "lights map.exr --split other.exr --lamps a.fbx"), HasSubstr(".glb"));
+}
+
+TEST_F(LightsTest, OptionsThatChangeNothingAreRefused) {
+  EXPECT_THAT(refuse(2, "lights map.exr --for three"), AllOf(StartsWith("--for "), HasSubstr("add --split")));
+  EXPECT_THAT(refuse(2, "lights map.exr --max-size 3"), HasSubstr("add --split"));
+  EXPECT_THAT(refuse(2, "lights map.exr --split map.exr"), HasSubstr("map.exr"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o set --max-size 3"), HasSubstr("add --split"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --split"), HasSubstr("--split"));
+}
+
+TEST_F(LightsTest, BakeSplitsTooAndTurnsTheLamps) {
+  const std::string small = " --size 16 --irradiance-size 64 --brdf-size 8 --lobe-rows 0 ";
+  succeed("bake map.exr -o whole" + small);
+  succeed("bake map.exr -o set --split --rotate 90" + small);
+  EXPECT_THAT(files(), IsSupersetOf({"set/lamps.glb", "set/lamps.json"}));
+  const Json lamps = Json::parse(bytes("set/lamps.json"));
+  ASSERT_EQ(lamps["lights"].size(), 1u);
+  EXPECT_NEAR(lamps["lights"][0]["direction"][0].get<double>(), 0.944, 0.01) << "from +Z to +X";
+  const Json manifest = Json::parse(bytes("set/manifest.json"));
+  EXPECT_EQ(manifest["lamps"]["files"], Json::array({"lamps.glb", "lamps.json"}));
+  EXPECT_EQ(manifest["lamps"]["count"], 1);
+  // The map and its lamp light a surface that faces it as the whole map does: irradiance / pi.
+  const float rest = texelTowards(texture("set/irradiance.ktx2"), 0, {1, 0, 0}).x;
+  const float whole = texelTowards(texture("whole/irradiance.ktx2"), 0, {0, 0, 1}).x;
+  const auto of_lamp = float(lamps["lights"][0]["irradiance"][0].get<double>() * 0.944 / 3.14159265);
+  EXPECT_NEAR(rest, 0.5f, 0.01f);
+  EXPECT_NEAR((rest + of_lamp) / whole, 1.0f, 0.03f);
+  // An older set's lamps go with it.
+  succeed("bake map.exr -o set" + small);
+  EXPECT_THAT(files(), ::testing::Not(::testing::Contains("set/lamps.glb")));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

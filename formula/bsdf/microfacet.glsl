@@ -21,9 +21,9 @@ const float kKeptOfMissing = 0.72f;
 
 // Multiple scattering: the share of white light that leaves a rough surface after two or more bounces between its
 // facets. Of what the first facets reflect, the missing share meets a second one, which reflects the mean share F. Of
-// that the part e leaves, and of the rest the same. This is a geometric series, as in Fdez-Agüera 2019 ("A
-// multiple-scattering microfacet model for real-time image-based lighting", eqs. 9 to 12), whose e is 1 − missing: too
-// small, so that grey metal of roughness 1 lost a seventh of its light. For facets that reflect everything it adds up to
+// that the part e leaves, and of the rest the same. This is a geometric series, as in Fdez-Agüera 2019 ("A multiple-
+// scattering microfacet model for real-time image-based lighting", eqs. 9 to 12), whose e is 1 − missing: too small,
+// so that grey metal of roughness 1 lost a seventh of its light. For facets that reflect everything it adds up to
 // exactly what single scattering leaves missing.
 //   first_fresnel      the reflectance of those that such light meets first
 //   mean_fresnel       that of facets, averaged over the cosine-weighted hemisphere

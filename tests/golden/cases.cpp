@@ -57,7 +57,7 @@ constexpr const char* kLobes = "four round lobes stand for one that is stretched
 
 constexpr const char* kCloth = "light on cloth is gathered from twelve directions; the rest is noise";
 
-constexpr const char* kFacets = "one facet's reflectance stands for all: it is Schlick's power of 5 that chooses which";
+constexpr const char* kFacets = "two kinds of facets stand for all: it is Schlick's power of 5 that chooses which";
 
 constexpr const char* kByNormal = "wrong by construction: where the eye is does not count; the background is blurred";
 

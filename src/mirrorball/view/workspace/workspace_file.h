@@ -23,8 +23,9 @@ Result<Workspace> readWorkspace(std::string_view json);
 /// errors   usage
 Result<void> refuseInputs(const Workspace& workspace, const std::string& path);
 
-/// Writes it to a file, in which there may be another workspace, and reads it. The names of its model and its maps are
-/// seen from the file's folder if they lie in it, else absolute: both move together, and it is the same from any folder.
+/// Writes it to a file, in which there may be another workspace, and reads it. The names of its model and its maps
+/// are seen from the file's folder if they lie in it, else absolute: both move together, and it is the same from any
+/// folder.
 ///
 /// errors   io; usage: something else is in the file; as refuseInputs' and readWorkspace's
 Result<void> saveWorkspace(const std::string& path, const Workspace& workspace);

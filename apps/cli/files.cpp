@@ -28,6 +28,13 @@ Result<void> checkFolder(const std::string& output) {
                           : "there is no folder " + folder.string() + "; make it (mkdir -p), or name another"));
 }
 
+Result<void> refuseSharedNames(std::span<const std::string> outputs) {
+  for (const std::string& output : outputs)
+    if (std::count(outputs.begin(), outputs.end(), output) > 1)
+      return fail(ErrorCode::usage, output + ": is named for two outputs; each needs a name of its own");
+  return {};
+}
+
 Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead) {
   if (!formatToWrite(output, {Holds::light, Holds::texture})) return {};
   std::string options;

@@ -18,6 +18,11 @@ namespace mirrorball::cli {
 /// errors   usage (a folder's name); io
 Result<void> checkFolder(const std::string& output);
 
+/// Refuses a name that two outputs have, of which one would be lost.
+///
+/// errors   usage
+Result<void> refuseSharedNames(std::span<const std::string> outputs);
+
 /// Refuses --exposure, --tone-map and --resolve, which say how light becomes a picture, for an output that holds light.
 ///
 /// instead  what else may be done: ", or scale the light"; empty: nothing

@@ -135,6 +135,8 @@ Result<void> splitInto(EnvironmentMap map, std::span<const std::string> inputs, 
   MIRRORBALL_TRY(rest, MapFile::resolve(options.split, request.rest, map.projection(), terminalObserver()));
   std::vector<std::string> outputs = rest.paths();
   outputs.insert(outputs.end(), options.lamp_files.begin(), options.lamp_files.end());
+  if (!options.picture.empty()) outputs.push_back(options.picture);
+  MIRRORBALL_TRY_VOID(refuseSharedNames(outputs));
   MIRRORBALL_TRY_VOID(refuseOverwriting(inputs, outputs));
   SplitMap split = splitMap(std::move(map), request.lamps);
   MIRRORBALL_TRY(errors, lampErrors(split, progressBar("measure")));

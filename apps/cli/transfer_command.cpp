@@ -160,9 +160,7 @@ Result<void> checkTransfer(const TransferRequest& request) {
       return fail(ErrorCode::usage, "glTF's normal maps are in tangent space; leave --model-out or --space object out");
     MIRRORBALL_TRY_VOID(checkFolder(request.model_out));
   }
-  for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (std::ranges::count(outputs, outputs[i]) > 1)
-      return fail(ErrorCode::usage, outputs[i] + ": is named for two outputs; each needs a name of its own");
+  MIRRORBALL_TRY_VOID(refuseSharedNames(outputs));
   return refuseOverwriting(std::array{request.high, request.low}, outputs);
 }
 

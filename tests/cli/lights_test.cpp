@@ -50,6 +50,12 @@ TEST_F(LightsTest, ProgramsGetTheSame) {
   EXPECT_EQ(Json::parse(succeed("lights grey.exr --json"))["lights"], Json::array());
 }
 
+TEST_F(LightsTest, TwoOutputsHaveTwoNames) {
+  for (const char* outputs : {"-o one.png --split one.png", "--split rest.exr --lamps lamps.json --lamps lamps.json"}) {
+    EXPECT_THAT(refuse(2, std::string("lights map.exr ") + outputs), HasSubstr("is named for two outputs"));
+  }
+}
+
 TEST_F(LightsTest, AClippedSunIsALowerBound) {
   Image map(256, 128, 3, 0.01f);
   for (int y = 30; y < 33; ++y)

@@ -16,5 +16,6 @@
 #include "formula/proxy.h"
 #include "formula/relief.h"
 #include "formula/sky.h"
+#include "formula/sun.h"
 #include "formula/surface.h"
 #include "formula/tangent.h"

@@ -10,6 +10,7 @@
 #include "formula/material.h"
 #include "formula/prefilter.h"
 #include "formula/projection.h"
+#include "formula/sun.h"
 #include "formula/tangent.h"
 //
 #include "formula/glsl_begin.inc"
@@ -28,6 +29,8 @@ namespace mirrorball::formula {
 #include "formula/surface/clear_coat.glsl"
 #include "formula/surface/lamp_shading.glsl"
 #include "formula/surface/self_occlusion.glsl"
+#include "formula/surface/sun_shading.glsl"
+#include "formula/surface/sun_shadow.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

@@ -1,10 +1,13 @@
 // The environment behind everything; or of its ground the scene's shadow alone.
 #include "color.glsl"
 #include "filter_kind.glsl"
+#include "constants.glsl"
+#include "microfacet.glsl"
 #include "reflection_lobe.glsl"
 #include "sampling.glsl"
 #include "eye_ray.glsl"
 #include "part: proxy"
+#include "sun_list.glsl"
 
 uniform samplerCube environment;
 uniform mat3 environment_from_world;
@@ -14,6 +17,8 @@ uniform float samples_per_pixel;
 uniform int texture_filter;    // of filter_kind.glsl
 uniform float min_level;
 uniform float lobe_roughness;  // blurs by the mip levels; 0: not
+uniform int sun_count;         // of the suns, those that are shown
+uniform float sun_roughness;   // blurs them
 uniform bool is_shadow_alone;  // on a page, of which it takes as much away as of the ground's light
 uniform vec4 page;             // its radiance and 1; or 0: black that covers as much of what it is laid over
 
@@ -29,7 +34,10 @@ void main() {
   float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : min_level;
   vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;
   vec3 shown = lightOfProxy(sight, light);
-  fragment = vec4(shown * environment_intensity, 1.0);
+  vec3 suns = vec3(0.0);
+  for (int i = 0; i < sun_count; ++i)
+    if (!sight.is_ground) suns += sunInLobe(sunAt(i), sight.direction, sun_roughness, footprint);
+  fragment = vec4(shown * environment_intensity + suns, 1.0);
   if (!is_shadow_alone) return;
   // Where the ground sends no light, none is missing.
   float lit = luminance(light);

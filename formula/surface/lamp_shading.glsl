@@ -3,6 +3,21 @@
 
 const float kLeastLampAlpha = 0.01f;
 
+// The BRDF of a surface for light that comes from one direction.
+//   v, l         unit, towards the eye and the light, in the surface's frame and above it
+//   facets       of GGX's facets, without Fresnel's factor
+FN vec3 litFrom(Surface s, vec3 v, vec3 l, vec3 facets) {
+  float at_facet = clamp(dot(v, normalize(v + l)), 0.0f, 1.0f);
+  vec3 fresnel =
+      mix(smoothDielectric(s.material, at_facet), metalReflectance(s.material, at_facet), s.material.metallic);
+  vec3 matt = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
+  // What stays in the grooves of stretched facets leaves along them, too (roughReflectance).
+  vec3 leaves = vec3(1.0f) - (1.0f - s.stretched_share) * fresnel;
+  vec3 shown = matt / kPi + fresnel * facets / leaves;
+  if (s.sheen_albedo <= 0.0f) return shown;
+  return underSheen(s, shown, vec3(evalCharlie(alphaOfSheen(s.material.sheen_roughness), v, l)));
+}
+
 // The radiance towards the viewer of a surface that a punctual light shines on (KHR_lights_punctual). What one facet
 // sends is glTF's D V with Fresnel's factor at the facet; what several facets send and what enters is spread evenly, in
 // the shares that it has under the environment (shadedByEnvironment). Light from behind passes no surface.
@@ -14,15 +29,8 @@ FN vec3 shadedByPunctualLight(Surface s, vec3 ray, vec3 light, vec3 illuminance)
   vec3 l = inFrame(s, light);
   if (l.z <= 0.0f) return vec3(0.0f);
   vec3 v = eyeInFrame(s, ray);
-  float at_facet = clamp(dot(v, normalize(v + l)), 0.0f, 1.0f);
-  vec3 fresnel =
-      mix(smoothDielectric(s.material, at_facet), metalReflectance(s.material, at_facet), s.material.metallic);
   vec2 alpha = max(stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy), vec2(kLeastLampAlpha));
-  vec3 matt = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
-  vec3 shown = matt / kPi + fresnel * evalGgx(alpha, v, l);
-  if (s.sheen_albedo > 0.0f)
-    shown = underSheen(s, shown, vec3(evalCharlie(alphaOfSheen(s.material.sheen_roughness), v, l)));
-  return illuminance * l.z * shown;
+  return illuminance * l.z * litFrom(s, v, l, vec3(evalGgx(alpha, v, l)));
 }
 
 // The same of any lamp.

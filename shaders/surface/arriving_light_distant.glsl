@@ -5,6 +5,7 @@
 //   vec3 lightOfLobe(vec3 origin, vec3 d, float perceptual_roughness, float footprint)
 //                                       the same by a lobe of the surface's own reflection
 //   vec3 arrivingIrradiance(vec3 origin, vec3 n)      on a surface with the normal n, divided by π
+// Suns that stand apart are none of this light: the part "suns" has theirs.
 // Here: an environment in cube maps.
 
 uniform samplerCube environment;

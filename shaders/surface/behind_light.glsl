@@ -8,7 +8,8 @@
 // Here: what reflected rays see, too; nothing inside.
 
 vec3 lightBehind(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
-  return incomingLight(origin, d, perceptual_roughness, footprint);
+  return incomingLight(origin, d, perceptual_roughness, footprint) +
+         sunsAlong(origin, d, perceptual_roughness, footprint);
 }
 
 bool meetsInside(vec3 origin, vec3 d, float perceptual_roughness, inout float way, out vec3 light) {

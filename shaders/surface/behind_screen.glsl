@@ -119,7 +119,8 @@ bool meetsBefore(vec3 origin, vec3 d, float perceptual_roughness, float way, out
 vec3 lightBehind(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
   vec3 light;
   if (meetsBefore(origin, d, perceptual_roughness, kEndless, light)) return light;
-  return incomingLight(origin, d, perceptual_roughness, footprint);
+  return incomingLight(origin, d, perceptual_roughness, footprint) +
+         sunsAlong(origin, d, perceptual_roughness, footprint);
 }
 
 bool meetsInside(vec3 origin, vec3 d, float perceptual_roughness, inout float way, out vec3 light) {

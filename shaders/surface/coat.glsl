@@ -13,6 +13,7 @@ vec3 coated(Surface s, SurfacePoint point, vec3 light) {
   float cosine = clamp(-dot(point.ray, n), 0.0, 1.0);
   Surface coat = coatOf(s, point.ray, n, anyTangent(n),
                         environmentBrdf(brdf_table, s.material.clearcoat_roughness, cosine));
-  vec3 shown = litByEnvironment(coat, point, vec3(0.0), vec3(0.0)) + lightOfLamps(coat, point);
+  vec3 shown =
+      litByEnvironment(coat, point, vec3(0.0), vec3(0.0)) + lightOfLamps(coat, point) + lightOfSuns(coat, point);
   return underCoat(coat, share, light, shown);
 }

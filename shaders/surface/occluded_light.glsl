@@ -29,7 +29,8 @@ vec3 lightOnOccluders(vec3 position, PlaceInScene place, vec3 on_axis) {
   float brightness = luminance(place.interreflected);
   float size = length(place.lit_from);
   if (size < 1e-3 * brightness || size <= 0.0) return on_axis;
-  return mix(on_axis, arrivingIrradiance(position, place.lit_from / size), min(size / brightness, 1.0));
+  vec3 towards = place.lit_from / size;
+  return mix(on_axis, arrivingIrradiance(position, towards) + irradianceOfSuns(towards), min(size / brightness, 1.0));
 }
 
 // Of the environment's light, divided by π.
@@ -50,7 +51,7 @@ OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place) {
   light.opening = openingOf(normal, place.occluded.xyz, light.open);
   light.share = light.open + place.interreflected;
   vec3 on_axis = arrivingIrradiance(position, light.opening.axis);
-  vec3 on_occluders = lightOnOccluders(position, place, on_axis);
+  vec3 on_occluders = lightOnOccluders(position, place, on_axis + irradianceOfSuns(light.opening.axis));
   light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
                      place.interreflected * on_occluders + place.emitted;
   light.tint = min(place.interreflected / max(1.0 - light.open, kLeastOccluded), 1.0);

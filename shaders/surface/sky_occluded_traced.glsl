@@ -37,7 +37,7 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   vec3 mirrored = reflect(direction, s.normal);
   vec3 reflected = occludedReflection(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
-  return shadedOccluded(light, s, reflected, vec3(0.0), vec3(0.0));
+  return shadedOccluded(light, s, reflected, vec3(0.0), vec3(0.0)) + litBySuns(s, place, direction);
 }
 
 // A direction that facets of the surface reflect towards the eye, another one for each sample of a pixel.

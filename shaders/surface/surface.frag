@@ -22,6 +22,7 @@
 #include "part: detail"
 #include "part: proxy"
 #include "part: arriving light"
+#include "part: suns"
 #include "part: anisotropy"
 #include "part: sheen"
 #include "part: material"
@@ -43,7 +44,9 @@ void main() {
   vec3 normal = detailedNormal(point, smoothNormal(point));
   normal = facingNormal(seesFront() ? normal : -normal, point.ray);
   Surface s = seenWithin(surfaceAt(point, normal, color.xyz), point.ray, iorAround());
+  meetSuns(point);
   vec3 light = litByEnvironment(s, point, transmittedLight(s, point), lightOnCloth(s, point));
   setDepth(point);
-  fragment = shownAs(coated(s, point, light + lightOfLamps(s, point)), color.w);
+  light += lightOfLamps(s, point) + lightOfSuns(s, point);
+  fragment = shownAs(coated(s, point, light), color.w);
 }

@@ -43,7 +43,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"rays", {"scene"}},
     {"trace", {"rays", "bake"}},
     {"transfer", {"rays", "height_field"}},
-    {"render", {"gl", "rays", "bake"}},
+    {"render", {"gl", "rays", "light_edit"}},
     {"study", {"render", "trace", "metric"}},
     {"view", {"study", "photo", "light_edit"}},
 };

@@ -249,6 +249,7 @@ std::vector<SurfaceVariant> pairsOfParts() {
           variant.answers[a] = i;
           variant.answers[b] = j;
           if (variant.has(Part::lamps, LampsPart::listed)) variant.lamp_count = 3;
+          if (!variant.has(Part::suns, SunsPart::none)) variant.sun_count = 2;
           const bool needs_maps = !variant.has(Part::detail, DetailPart::none);
           if (needs_maps || (i + j) % 2 != 0) variant.maps = allMaps((i + j) % 3 == 0);
           variants.insert(variant);
@@ -267,6 +268,7 @@ std::vector<SurfaceVariant> somePairsOfParts() {
       SurfaceVariant variant;
       variant.answers[question] = answer;
       if (variant.has(Part::lamps, LampsPart::listed)) variant.lamp_count = 3;
+      if (!variant.has(Part::suns, SunsPart::none)) variant.sun_count = 2;
       if (!variant.has(Part::detail, DetailPart::none)) variant.maps = allMaps(answer % 2 == 0);
       variants.insert(variant);
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/metric/picture/comparison_sheet.h"
 #include "mirrorball/metric/picture/heat_map.h"
 #include "mirrorball/render/stage/technique_choice.h"
@@ -56,12 +57,13 @@ class Steps {
 /// Makes the pictures of subjects, one after the other.
 class Workshop {
  public:
-  Workshop(Renderer renderer, Scene scene, Environment environment, PreparedEnvironment prepared,
+  Workshop(Renderer renderer, Scene scene, Environment environment, PreparedEnvironment prepared, bool has_strong_sun,
            const StudySettings& settings, Steps steps)
       : renderer_(std::move(renderer)),
         scene_(std::move(scene)),
         environment_(std::move(environment)),
         prepared_(std::move(prepared)),
+        has_strong_sun_(has_strong_sun),
         settings_(settings),
         steps_(steps) {}
 
@@ -87,6 +89,7 @@ class Workshop {
   Scene scene_;
   Environment environment_;
   PreparedEnvironment prepared_;
+  bool has_strong_sun_;
   StudySettings settings_;
   Steps steps_;
   std::map<std::string, Traced> traced_;
@@ -126,7 +129,10 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   Scene scene = stage.scene;
   MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
   MIRRORBALL_TRY_VOID(prepareRelief(scene, frame.relief));
-  TechniqueWishes wishes{.quality = technique.quality, .given = namesOfSettings(technique.settings), .needs_all = true};
+  TechniqueWishes wishes{.quality = technique.quality,
+                         .given = namesOfSettings(technique.settings),
+                         .has_strong_sun = has_strong_sun_,
+                         .needs_all = true};
   wishes.given.insert("samples");  // those of all pictures
   MIRRORBALL_TRY_VOID(chooseTechniques(scene, wishes, frame));
   MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));
@@ -252,8 +258,9 @@ Result<Study> studied(RenderInputs inputs, const StudyPlan& plan, StudySettings 
   settings.frame.resolve = Resolve::radiance;
   MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
   MIRRORBALL_TRY_VOID(renderer.setEnvironment(inputs.environment, inputs.prepared));
+  MIRRORBALL_TRY(has_strong_sun, hasStrongSun(inputs.environment));
   Workshop workshop(std::move(renderer), std::move(inputs.scene), std::move(inputs.environment),
-                    std::move(inputs.prepared), settings, Steps(observer.progress, stepsOf(plan)));
+                    std::move(inputs.prepared), has_strong_sun, settings, Steps(observer.progress, stepsOf(plan)));
   Study study{.driver = workshop.driver(),
               .size = settings.frame.size,
               .samples = settings.frame.samples,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -123,6 +124,10 @@ class AnswerPairs : public gl::GlTest {
     renderer_.emplace(testing::rendererFor(sceneOfCase(testing::caseOf(testing::nothingChosen())), uneven_));
     even_light_ = *testing::prepareOnce(even_);
     uneven_light_ = *testing::prepareOnce(uneven_);
+    sunny_light_ = uneven_light_;
+    sunny_light_.sun = SunKind::split;
+    sunny_light_.suns = {{.towards = glm::normalize(glm::vec3(0.5f, 0.4f, 0.8f)), .irradiance = glm::vec3(1.0f)}};
+    sunny_light_.rest = std::make_shared<const Environment>(uneven_);
   }
 
   /// In the same light from everywhere, or in light that is nowhere dark.
@@ -131,7 +136,8 @@ class AnswerPairs : public gl::GlTest {
     Scene scene = testing::sceneOfCase(asked);
     EXPECT_TRUE(prepareRelief(scene, asked.settings.relief)) << testing::choicesWritten(chosen);
     EXPECT_TRUE(renderer_->setScene(std::move(scene))) << testing::choicesWritten(chosen);
-    EXPECT_TRUE(renderer_->setEnvironment(is_even ? even_ : uneven_, is_even ? even_light_ : uneven_light_));
+    const PreparedEnvironment& uneven = testing::hasSuns(asked.settings) ? sunny_light_ : uneven_light_;
+    EXPECT_TRUE(renderer_->setEnvironment(is_even ? even_ : uneven_, is_even ? even_light_ : uneven));
     return middleOf(testing::drawn(*renderer_, asked.settings));
   }
 
@@ -164,6 +170,7 @@ class AnswerPairs : public gl::GlTest {
   const Environment uneven_ = Environment([](glm::vec3 d) { return 0.6f + 0.3f * d; }, 32);
   PreparedEnvironment even_light_;
   PreparedEnvironment uneven_light_;
+  PreparedEnvironment sunny_light_;  ///< that and a sun
   std::optional<Renderer> renderer_;
 };
 MIRRORBALL_WITH_BOTH_APIS(AnswerPairs);

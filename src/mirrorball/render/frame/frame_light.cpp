@@ -8,14 +8,17 @@
 
 namespace mirrorball {
 
-Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings& settings, const Camera& camera) {
+Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings& settings, const Camera& camera,
+                                        const std::optional<CacheFolder>& cache) {
+  MIRRORBALL_TRY(form, light_->formFor(settings.sunShown(), cache, device_->context.filtersFloats()));
+  form_ = std::move(form);
   MIRRORBALL_TRY_VOID(placeProxy(staged, settings));
   const gl::Api api = device_->context.api();
-  MIRRORBALL_TRY(chain, light_->prefilteredChain(api, settings.blur));
+  MIRRORBALL_TRY(chain, form_->prefilteredChain(api, settings.blur));
   LightUniforms uniforms{
       .prefiltered = chain, .environment_from_world = settings.environmentFromWorld(), .proxy = &proxy_};
   if (settings.look_up != LightLookUp::cube) {
-    MIRRORBALL_TRY(flat, light_->flatLight(api, settings.blur));
+    MIRRORBALL_TRY(flat, form_->flatLight(api, settings.blur));
     uniforms.flat = flat;
   }
   if (coordinateChoice(staged.scene(), settings).is_sphere_map) {
@@ -23,7 +26,36 @@ Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings
         makeSphereMap(uniforms.environment_from_world * glm::transpose(glm::mat3(camera.view_from_world))));
     uniforms.sphere_map = &*sphere_map_;
   }
+  if (!form_->suns().empty()) {
+    MIRRORBALL_TRY(suns, placeSuns(staged, settings));
+    uniforms.suns = std::move(suns);
+  }
   return uniforms;
+}
+
+Result<SunUniforms> FrameLight::placeSuns(StagedScene& staged, const FrameSettings& settings) {
+  const glm::mat3 environment_from_world = settings.environmentFromWorld();
+  SunUniforms placed;
+  for (formula::Sun sun : form_->suns()) {
+    sun.towards = glm::normalize(glm::transpose(environment_from_world) * sun.towards);
+    sun.irradiance *= settings.env_intensity;
+    placed.suns.push_back(sun);
+  }
+  const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
+  const std::pair wanted(ShadowOf{environment_from_world, scene, light_->version()}, sunShadowSide(settings.size));
+  if (sun_shadows_of_ != wanted) {
+    sun_shadows_of_.reset();
+    if (!sun_shadows_) {
+      MIRRORBALL_TRY(made, SunShadows::make(device_->context.api()));
+      sun_shadows_ = std::move(made);
+    }
+    MIRRORBALL_TRY_VOID(
+        sun_shadows_->draw(staged.scene(), staged.buffers(), placed.suns, staged.bounds(), wanted.second));
+    sun_shadows_of_ = wanted;
+  }
+  placed.shadows = &sun_shadows_->picture();
+  placed.shadow_rows = sun_shadows_->rows();
+  return placed;
 }
 
 /// What the environment's light comes from, with the shadow on it.
@@ -59,8 +91,8 @@ Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& 
 }
 
 Result<void> FrameLight::makeSphereMap(const glm::mat3& environment_from_view) {
-  const int size = std::min(light_->environment().naturalSize(Projection::sphere), 2048);
-  Image image = sphereMapTexture(light_->environment(), environment_from_view, size);
+  const int size = std::min(form_->environment().naturalSize(Projection::sphere), 2048);
+  Image image = sphereMapTexture(form_->environment(), environment_from_view, size);
   for (float& light_sample : image.samples()) light_sample /= light().unit();
   const gl::Format format = light().cube().format();
   MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));

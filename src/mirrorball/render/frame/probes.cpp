@@ -63,6 +63,7 @@ Result<const ProbeUniforms*> Probes::begin(gl::Api api, SceneDrawing& drawing, c
     MIRRORBALL_TRY_VOID(makeLights(api, light, wanted.settings));
     FrameUniforms of_face = frame;
     of_face.probes = nullptr;
+    of_face.light.suns.are_seen = false;  // surfaces add them
     for (int bounce = 0; bounce < settings.probe_bounces; ++bounce) {
       for (std::size_t probe = 0; probe < lights_.size(); ++probe)
         MIRRORBALL_TRY_VOID(capture(probe, drawing, light, wanted.settings, of_face));

@@ -162,7 +162,7 @@ struct Begun {
 
   void begin(const FrameSettings& settings) {
     drawing.show(*stage.state().formFor(settings));
-    frame.light = *light.begin(drawing.staged(), settings, frame.sample.camera);
+    frame.light = *light.begin(drawing.staged(), settings, frame.sample.camera, {});
     frame.scene = *drawing.begin(settings, frame.sample, *frame.light.proxy);
     frame.probes = *probes.begin(device.state().context.api(), drawing, light.light(), 1, settings, frame);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/scene/closed_surface.h"
 #include "mirrorball/scene/load_model.h"
 
@@ -50,17 +51,41 @@ Result<LoadedEnvironment> loadLight(const RenderInputNames& names, const Observe
   return loaded;
 }
 
+/// The same as the frame shows its suns.
+Result<LoadedEnvironment> loadShownLight(const RenderInputNames& names, const Observer& observer) {
+  MIRRORBALL_TRY(loaded, loadLight(names, observer));
+  if (names.frame.sunShown() == SunKind::map) return loaded;
+  MIRRORBALL_TRY(split, withoutSuns(loaded.environment));
+  loaded.environment = withSuns(std::move(split));
+  return loaded;
+}
+
 /// An environment as it is, and as the GPU takes it.
 struct PreparedLight {
   LoadedEnvironment loaded;
   PreparedEnvironment prepared;
 };
 
-Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer& observer) {
-  MIRRORBALL_TRY(loaded, loadLight(names, observer));
-  MIRRORBALL_TRY(prepared, observer.timed("environment: cube, mips, prefiltering",
-                                          [&] { return prepareEnvironment(loaded.environment, names.cache); }));
-  return PreparedLight{std::move(loaded), std::move(prepared)};
+/// Whether it is asked for, and there.
+Result<bool> findStrongSun(const RenderInputNames& names, const Environment& environment) {
+  if (!names.wishes || !dependsOnSun(names.wishes->quality, names.wishes->given, names.frame)) return false;
+  return hasStrongSun(environment);
+}
+
+/// strong_sun   is told whether the environment has one
+Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer& observer,
+                                   std::promise<bool> strong_sun) {
+  auto loaded = loadLight(names, observer);
+  const auto found = loaded ? findStrongSun(names, loaded->environment) : Result<bool>(false);
+  strong_sun.set_value(found.value_or(false));
+  if (!loaded) return fail(std::move(loaded));
+  MIRRORBALL_TRY(has_strong_sun, found);
+  FrameSettings frame = names.frame;
+  if (names.wishes) fillIn(names.wishes->quality, {.has_strong_sun = has_strong_sun}, names.wishes->given, frame);
+  MIRRORBALL_TRY(prepared, observer.timed("environment: cube, mips, prefiltering", [&] {
+    return prepareEnvironment(loaded->environment, names.cache, {}, frame.sunShown());
+  }));
+  return PreparedLight{std::move(*loaded), std::move(prepared)};
 }
 
 /// A model, and how it is drawn.
@@ -70,13 +95,17 @@ struct PreparedModel {
   std::string chosen = {};
 };
 
+/// has_strong_sun   of the environment; asked where there are wishes
 std::future<Result<PreparedModel>> modelLater(const RenderInputNames& names, const Observer& observer,
-                                              const std::function<int()>& largest_texture) {
-  return std::async(besideOthers(), [&names, &observer, largest_texture]() -> Result<PreparedModel> {
+                                              const std::function<int()>& largest_texture,
+                                              const std::function<bool()>& has_strong_sun) {
+  return std::async(besideOthers(), [&names, &observer, largest_texture, has_strong_sun]() -> Result<PreparedModel> {
     MIRRORBALL_TRY(scene, observer.timed("model: read", [&] { return loadScene(names, largest_texture); }));
     PreparedModel model{std::move(scene), names.frame};
     if (names.wishes) {
-      MIRRORBALL_TRY(chosen, chooseTechniques(model.scene, *names.wishes, model.frame, names.cache, observer));
+      TechniqueWishes wishes = *names.wishes;
+      wishes.has_strong_sun = has_strong_sun();
+      MIRRORBALL_TRY(chosen, chooseTechniques(model.scene, wishes, model.frame, names.cache, observer));
       model.chosen = std::move(chosen);
     }
     return model;
@@ -96,8 +125,8 @@ SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment li
 Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer) {
   // A wrong name is told before anything is loaded.
   MIRRORBALL_TRY_VOID(checkChanges(names.materials));
-  auto model_later = modelLater(names, observer, {});
-  auto light = loadLight(names, observer);
+  auto model_later = modelLater(names, observer, {}, [] { return false; });
+  auto light = loadShownLight(names, observer);
   // It refers to this frame, and so is waited for before any error returns.
   auto model = model_later.get();
   if (!model) return fail(std::move(model));
@@ -110,8 +139,11 @@ Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Obser
   // None of the three needs the others, but for heights that not every driver takes.
   std::promise<int> largest_texture;
   const std::shared_future<int> largest = largest_texture.get_future().share();
-  auto model_later = modelLater(names, observer, [largest] { return largest.get(); });
-  auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer); });
+  std::promise<bool> strong_sun;
+  const std::shared_future<bool> has_strong_sun = strong_sun.get_future().share();
+  auto model_later = modelLater(
+      names, observer, [largest] { return largest.get(); }, [has_strong_sun] { return has_strong_sun.get(); });
+  auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer, std::move(strong_sun)); });
   auto context = observer.timed("GL: start the driver", [] { return gl::Context::createHeadless(); });
   largest_texture.set_value(context ? context->largestTexture() : std::numeric_limits<int>::max());
   auto model = model_later.get();

@@ -63,7 +63,8 @@ Result<void> prepareModel(Scene& scene, UpAxis up, const MaterialChanges& materi
 /// errors            usage (materials that are not there); as loadModel's and prepareRelief's
 Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture = {});
 
-/// Loads the model and the environment at the same time, without a driver.
+/// Loads the model and the environment at the same time, without a driver; its suns are discs where the frame wants
+/// them apart.
 ///
 /// observer told what is doubtful about them; values of the environment below 0 are taken as 0
 /// errors   usage (materials that are not there); as loadModel's, loadEnvironment's and checkLight's

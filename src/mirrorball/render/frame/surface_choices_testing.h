@@ -110,6 +110,8 @@ inline const std::vector<SurfaceChoice>& surfaceChoices() {
                [](Case& asked) { asked.settings.look_up = LightLookUp::flat; }),
       choiceOf(P::arriving_light, ArrivingLightPart::flat_nearest, "lookup flat-nearest", true,
                [](Case& asked) { asked.settings.look_up = LightLookUp::flat_nearest; }),
+      choiceOf(P::suns, SunsPart::shadowed, "sun split", false,
+               [](Case& asked) { asked.settings.sun = SunKind::split; }),
       choiceOf(P::look_up, LookUpPart::sphere_map, "mapping sphere", true,
                [](Case& asked) { asked.settings.mapping = Mapping::sphere; }),
       choiceOf(P::look_up, LookUpPart::environment, "mapping normal", true,
@@ -201,6 +203,9 @@ inline std::string choicesWritten(const ChosenSurface& chosen) {
   return name.empty() ? "nothing" : name;
 }
 
+/// Whether a sun is to stand apart from the environment.
+inline bool hasSuns(const FrameSettings& settings) { return settings.sunShown() == SunKind::split; }
+
 /// A ball with that material.
 inline Scene sceneOfCase(const SurfaceCase& asked) {
   Scene scene = sceneOf(sphereMesh(16, 32), asked.material);
@@ -229,8 +234,9 @@ inline SurfaceVariant variantOfCase(const SurfaceCase& asked) {
   // Only bodies that are traced know who is in them.
   const bool is_inside = asked.is_in_body && isBody(seen) && settings.refraction == RefractionKind::traced;
   if (is_inside) static_cast<formula::Material&>(seen) = formula::openMaterial(seen);
-  SurfaceVariant variant = surfaceVariant(seen, std::vector<MapSource>(materialMaps().size()), settings,
-                                          settings.lights.size(), coordinates);
+  SurfaceVariant variant =
+      surfaceVariant(seen, std::vector<MapSource>(materialMaps().size()), settings,
+                     {.lamps = settings.lights.size(), .suns = hasSuns(settings) ? 1u : 0u}, coordinates);
   if (is_inside) variant.choose(Part::material, MaterialPart::from_inside);
   const bool reads_probe = settings.probes > 0 && !coordinates.is_sphere_map && !seen.unlit &&
                            !variant.has(Part::sky, SkyPart::occluded_traced);

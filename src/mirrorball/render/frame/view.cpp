@@ -166,7 +166,7 @@ Result<void> View::start() {
     on.samples = std::move(samples);
   }
   MIRRORBALL_TRY_VOID(on.samples->begin(settings));
-  MIRRORBALL_TRY(light, on.light.begin(*form, settings, frame.sample.camera));
+  MIRRORBALL_TRY(light, on.light.begin(*form, settings, frame.sample.camera, staged.cache));
   frame.light = light;
   MIRRORBALL_TRY(scene, on.drawing.begin(settings, frame.sample, *light.proxy));
   frame.scene = scene;

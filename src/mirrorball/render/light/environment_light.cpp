@@ -13,6 +13,7 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/half.h"
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/render/light/prefilter_cache.h"
 
 namespace mirrorball {
@@ -89,8 +90,10 @@ int cubeSideFor(float texels_per_radian) {
   return static_cast<int>(std::ceil(side / 64.0f)) * 64;
 }
 
-Result<PreparedEnvironment> prepareEnvironment(const Environment& environment, const std::optional<CacheFolder>& cache,
-                                               const ProgressFunction& progress) {
+namespace {
+
+Result<PreparedEnvironment> withCubes(const Environment& environment, const std::optional<CacheFolder>& cache,
+                                      const ProgressFunction& progress) {
   PreparedEnvironment prepared;
   if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
     prepared.chain = mipChain(*map);
@@ -104,6 +107,19 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment, c
   prepared.prefiltered = std::move(blurred.chain);
   prepared.irradiance = std::move(blurred.irradiance);
   return prepared;
+}
+
+}  // namespace
+
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment, const std::optional<CacheFolder>& cache,
+                                               const ProgressFunction& progress, SunKind sun) {
+  if (sun == SunKind::map) return withCubes(environment, cache, progress);
+  MIRRORBALL_TRY(split, withoutSuns(environment));
+  MIRRORBALL_TRY(prepared, withCubes(split.rest, cache, progress));
+  prepared.sun = sun;
+  prepared.suns = std::move(split.suns);
+  if (!prepared.suns.empty()) prepared.rest = std::make_shared<const Environment>(std::move(split.rest));
+  return Result<PreparedEnvironment>(std::move(prepared));
 }
 
 Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared, bool filters_floats) {

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
+#include "formula/sun.h"
 #include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/image/image_set.h"
+#include "mirrorball/render/settings/frame_settings.h"
 
 namespace mirrorball {
 
@@ -20,6 +24,10 @@ struct PreparedEnvironment {
   ImageSet prefiltered;       ///< bake/prefilter/prefilter.h
   ImageSet irradiance;        ///< divided by π
   bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
+  SunKind sun = SunKind::map;
+  /// Those that are not in the cubes; empty: the environment has none, or they are in the map.
+  std::vector<formula::Sun> suns = {};
+  std::shared_ptr<const Environment> rest = {};  ///< where there are some: what the cubes are of
 };
 
 /// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so
@@ -30,12 +38,13 @@ int cubeSideFor(float texels_per_radian);
 /// A cube stays as it is; anything else is resampled so that no detail is lost in the middle of a face, where texels
 /// are widest.
 ///
+/// sun      whether its suns are in the cubes, or stand apart (withoutSuns)
 /// cache    where prefiltered environments are kept; optional
 /// progress may be called from several threads, but not at once
 /// errors   too_large; interrupted
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
                                                const std::optional<CacheFolder>& cache = {},
-                                               const ProgressFunction& progress = {});
+                                               const ProgressFunction& progress = {}, SunKind sun = SunKind::map);
 
 /// The light of an environment on the GPU.
 class EnvironmentLight {

@@ -188,6 +188,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "other",
       .group = "Environment"},
      &FrameSettings::probe_bounces},
+    {{.name = "sun",
+      .choices = "map|split",
+      .help =
+          "how the sun and other lamps of up to 2 degrees light the scene: by the map that they are in, or as discs "
+          "of their size that are taken out of it and throw shadows",
+      .group = "Environment"},
+     choiceField<&FrameSettings::sun>},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
       .help = "how the environment is blurred for rough surfaces: prefiltered exactly, prefiltered on the GPU in a few "
@@ -358,6 +365,11 @@ int lobesOf(const FrameSettings& settings) {
   constexpr std::array<int, 4> kLobes{1, 2, 4, 6};
   const bool is_prefiltered = settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu;
   return is_prefiltered ? kLobes[static_cast<std::size_t>(settings.lobe_taps)] : 1;
+}
+
+SunKind FrameSettings::sunShown() const {
+  const bool is_far = proxy.kind == ProxyKind::none || proxy.kind == ProxyKind::ground;
+  return is_far ? sun : SunKind::map;
 }
 
 glm::mat3 FrameSettings::environmentFromWorld() const {

@@ -40,6 +40,12 @@ enum class RefractionKind {
   automatic,  ///< traced through bodies of few triangles, image_space through others: refractionOf()
 };
 
+/// How the environment's small and bright lamps light a scene.
+enum class SunKind {
+  map,    ///< by the map that they are in
+  split,  ///< as discs that are taken out of it, which the scene shadows (light_edit/sun_split.h)
+};
+
 /// What hides the environment from surfaces, beside their own relief and textures.
 enum class OcclusionKind {
   none,
@@ -86,6 +92,7 @@ struct FrameSettings {
   glm::vec3 env_rotation_deg{
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
   float env_intensity = 1.0f;
+  SunKind sun = SunKind::map;
   bool stands = false;      ///< on the ground that the environment shows: standOnGround()
   ProxyOptions proxy = {};  ///< what the environment's light comes from
   int probes = 0;           ///< that are captured at reflective objects at most, 0 … kMostProbes or kAutoProbes
@@ -122,6 +129,8 @@ struct FrameSettings {
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;
+  /// Where its suns are: on a proxy, which is near, they are no directions and stay in the map.
+  SunKind sunShown() const;
   /// Whether the environment is seen behind everything, sharp or blurred.
   bool showsEnvironment() const {
     return background == BackgroundKind::environment || background == BackgroundKind::blur;

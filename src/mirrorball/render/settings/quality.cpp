@@ -21,6 +21,8 @@ bool mirrorsWithoutRays(const SceneTraits& traits) {
   return traits.is_polished && traits.has_objects && !traits.can_trace_rays && !traits.is_huge;
 }
 
+bool hasStrongSun(const SceneTraits& traits) { return traits.has_strong_sun; }
+
 /// They say themselves what surfaces show in place of what is reflected.
 constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
     {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
@@ -29,7 +31,11 @@ constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-refle
 /// How light is followed where not all of it is.
 constexpr auto kRefractsOtherwise = std::to_array<std::string_view>({"refraction"});
 
+/// They put the light near, where a sun is no direction.
+constexpr auto kPlacesLight = std::to_array<std::string_view>({"proxy"});
+
 constexpr auto kChoices = std::to_array<QualityChoice>({
+    {.option = "sun", .values = {"", "split", "split"}, .suits = hasStrongSun, .left_to = kPlacesLight},
     {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},
     {.option = "inner-bounces", .values = {"", "", "8"}, .suits = letsLightThrough, .left_to = kRefractsOtherwise},
     {.option = "behind", .values = {"", "screen", "screen"}, .suits = letsLightThrough},
@@ -44,8 +50,8 @@ const auto kQualityOptions = std::to_array<Option<QualityRequest>>({
     {{.name = "quality",
       .choices = "draft|good|best",
       .help = "how much the options that are not given do for the picture: draft is the fastest; good lets glass show "
-              "what is behind it, and objects hide and mirror each other, where the model has any of that; best also "
-              "takes more samples and traces through all glass",
+              "what is behind it, objects hide and mirror each other, and the sun throw shadows, where there is any of "
+              "that; best also takes more samples and traces through all glass",
       .group = "Look",
       .is_daily = true},
      choiceField<&QualityRequest::quality>},
@@ -91,6 +97,12 @@ bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::st
     return fillIn(quality, traits, given, filled);
   };
   return chosen(true) != chosen(false);
+}
+
+bool dependsOnSun(Quality quality, const std::set<std::string_view>& given, const FrameSettings& settings) {
+  FrameSettings filled = settings;
+  fillIn(quality, {.has_strong_sun = true}, given, filled);
+  return filled.sun != settings.sun;
 }
 
 std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,

@@ -30,6 +30,7 @@ struct SceneTraits {
   bool has_objects = false;     ///< more than one
   bool hides_itself = false;    ///< some place sees less than nine tenths of the sky
   bool can_trace_rays = false;  ///< nothing moves but the whole
+  bool has_strong_sun = false;  ///< hasStrongSun() of its environment
   bool is_huge = false;         ///< of more than four million triangles: nothing is looked for in it unasked
 };
 
@@ -51,6 +52,9 @@ std::span<const QualityChoice> qualityChoices();
 /// Whether what is chosen depends on SceneTraits::hides_itself, which costs rays to find.
 bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::string_view>& given,
                      const FrameSettings& settings);
+
+/// Whether it depends on SceneTraits::has_strong_sun.
+bool dependsOnSun(Quality quality, const std::set<std::string_view>& given, const FrameSettings& settings);
 
 /// Fills in what a scene needs of what was not given, and what that implies: what is reflected by rays knows what
 /// vertices know.

@@ -56,6 +56,17 @@ TEST(Quality, GoodFillsInWhatTheSceneNeeds) {
   EXPECT_EQ(filledIn(Quality::good, {.is_polished = true, .has_objects = true}), expected) << "without rays";
 }
 
+TEST(Quality, AStrongSunThrowsShadows) {
+  const SceneTraits sunny{.has_strong_sun = true};
+  EXPECT_EQ(filledIn(Quality::good, sunny).sun, SunKind::split);
+  EXPECT_EQ(filledIn(Quality::good, {}).sun, SunKind::map);
+  EXPECT_EQ(filledIn(Quality::draft, sunny).sun, SunKind::map);
+  EXPECT_EQ(filledIn(Quality::good, sunny, {"proxy"}).sun, SunKind::map);
+  EXPECT_TRUE(dependsOnSun(Quality::good, {}, {}));
+  EXPECT_FALSE(dependsOnSun(Quality::good, {"sun"}, {}));
+  EXPECT_FALSE(dependsOnSun(Quality::draft, {}, {}));
+}
+
 TEST(Quality, NothingIsLookedForInAHugeSceneUnasked) {
   SceneTraits huge = kNeedsAll;
   huge.is_huge = true;

@@ -111,8 +111,9 @@ Result<StageWork> Stage::workFor(const FrameSettings& settings, bool picks) cons
   if (known) work->known = known->rows();
   if (settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler()) {
     work->environment = light.sharedEnvironment();
-    work->light_version = light.version();
   }
+  if (light.has() && !light.hasForm(settings.sunShown())) work->lacks_cubes = light.sharedEnvironment();
+  work->light_version = light.version();
   return StageWork(std::move(work));
 }
 
@@ -122,6 +123,11 @@ Result<bool> Stage::take(StageWork work) {
   StagedLight& light = state_->light;
   if (done.ground_sampler && done.light_version == light.version())
     light.takeGroundSampler(std::move(*done.ground_sampler));
+  if (done.cubes && done.light_version == light.version()) {
+    const gl::Context& context = device().state().context;
+    MIRRORBALL_TRY_VOID(context.enter());
+    MIRRORBALL_TRY_VOID(light.takeForm(*done.cubes, context.filtersFloats()));
+  }
   if (!done.has_form || done.version != forms.version()) return false;
   MIRRORBALL_TRY_VOID(device().state().context.enter());
   std::shared_ptr<StagedScene> form = forms.find(done.preparation);

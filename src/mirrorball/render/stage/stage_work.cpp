@@ -21,7 +21,7 @@ namespace {
 // How much of the work each part is, of a thousand: the form's occlusion takes the longest by far.
 constexpr std::size_t kOfForm = 700;
 constexpr std::size_t kOfRow = 60;
-constexpr std::size_t kAll = kOfForm + 5 * kOfRow;
+constexpr std::size_t kAll = kOfForm + 6 * kOfRow;
 
 using State = StageWork::State;
 
@@ -47,6 +47,8 @@ bool lacksCasters(const State& state) { return !state.known.casters && state.set
 bool lacksSampler(const State& state) {
   return state.environment != nullptr && state.settings.proxy.kind == ProxyKind::ground;
 }
+
+bool lacksCubes(const State& state) { return state.lacks_cubes != nullptr; }
 
 Result<void> makeForm(State& state) {
   if (state.has_form) return {};
@@ -89,12 +91,19 @@ Result<void> makeGroundShadow(State& state) {
   return {};
 }
 
+Result<void> makeCubes(State& state) {
+  if (!lacksCubes(state)) return {};
+  MIRRORBALL_TRY(made, prepareEnvironment(*state.lacks_cubes, state.means.cache, {}, state.settings.sunShown()));
+  state.cubes = std::move(made);
+  return {};
+}
+
 }  // namespace
 
 bool StageWork::isNeeded() const {
   const State& state = *state_;
   return lacksForm(state) || !lackingPrisms(state).empty() || lacksBodies(state) || lacksTriangles(state) ||
-         lacksRays(state) || lacksCasters(state) || lacksSampler(state);
+         lacksRays(state) || lacksCasters(state) || lacksSampler(state) || lacksCubes(state);
 }
 
 Result<void> StageWork::run(const ProgressFunction& progress) {
@@ -102,7 +111,7 @@ Result<void> StageWork::run(const ProgressFunction& progress) {
   state.means.progress = partOf(progress, 0, kOfForm, kAll);
   MIRRORBALL_TRY_VOID(makeForm(state));
   std::size_t done = kOfForm;
-  for (const auto make : {makePrisms, makeBodies, makeTriangles, makeRays, makeGroundShadow}) {
+  for (const auto make : {makePrisms, makeBodies, makeTriangles, makeRays, makeGroundShadow, makeCubes}) {
     if (progress && !progress(done, kAll)) return fail(ErrorCode::interrupted, "interrupted");
     MIRRORBALL_TRY_VOID(make(state));
     done += kOfRow;

@@ -6,6 +6,7 @@
 
 #include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/stage/scene_preparation.h"
 #include "mirrorball/render/stage/stage_work.h"
@@ -28,10 +29,13 @@ struct StageWork::State {
   /// Of whose light a ground's shadow is to be; null: there is none to be made.
   std::shared_ptr<const Environment> environment = {};
   std::uint64_t light_version = 0;
+  /// Whose cubes are to be made for the frames' kind of sun; null: they are there.
+  std::shared_ptr<const Environment> lacks_cubes = {};
 
   bool makes_form = false;  ///< `scene` has become one that the stage has not
   StagedScene::Made made = {};
   std::optional<LightSampler> ground_sampler = {};
+  std::optional<PreparedEnvironment> cubes = {};
 };
 
 }  // namespace mirrorball

@@ -9,31 +9,53 @@ Result<LightSampler> makeGroundSampler(const Environment& environment, const Pro
   return LightSampler::make(environment, progress, kTexels);
 }
 
+Result<PrefilteredChain> LightForm::prefilteredChain(gl::Api api, BlurKind blur) {
+  if (blur != BlurKind::gpu) return PrefilteredChain{&light_.prefiltered(), 1};
+  if (!gpu_prefilter_) {
+    const gl::Texture& cube = light_.cube();
+    MIRRORBALL_TRY(made, GpuPrefilter::make(api, cube.width(), cube.format()));
+    made.run(cube);
+    gpu_prefilter_ = std::move(made);
+  }
+  return PrefilteredChain{&gpu_prefilter_->chain(), 0};
+}
+
+Result<const FlatLight*> LightForm::flatLight(gl::Api api, BlurKind blur) {
+  MIRRORBALL_TRY(chain, prefilteredChain(api, blur));
+  std::optional<FlatLight>& flat = flat_lights_[blur == BlurKind::gpu ? 1 : 0];
+  if (!flat) {
+    MIRRORBALL_TRY(made, FlatLight::make(light_, *chain.texture));
+    flat = std::move(made);
+  }
+  return &*flat;
+}
+
 Result<void> StagedLight::set(Environment environment, const PreparedEnvironment& prepared, bool filters_floats) {
-  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
-  light_ = std::move(light);
-  environment_ = std::make_shared<const Environment>(std::move(environment));
+  StagedLight other;
+  other.environment_ = std::make_shared<const Environment>(std::move(environment));
+  MIRRORBALL_TRY_VOID(other.takeForm(prepared, filters_floats));
+  environment_ = std::move(other.environment_);
+  forms_ = std::move(other.forms_);
   versions_.change(StagePart::environment);
   return {};
 }
 
-Result<PrefilteredChain> StagedLight::prefilteredChain(gl::Api api, BlurKind blur) {
-  if (blur != BlurKind::gpu) return PrefilteredChain{&light_->prefiltered(), 1};
-  const auto make = [&]() -> Result<GpuPrefilter> {
-    const gl::Texture& cube = light_->cube();
-    MIRRORBALL_TRY(made, GpuPrefilter::make(api, cube.width(), cube.format()));
-    made.run(cube);
-    return Result<GpuPrefilter>(std::move(made));
-  };
-  MIRRORBALL_TRY(prefilter, gpu_prefilter_.tryGet(versions_, make));
-  return PrefilteredChain{&prefilter->chain(), 0};
+Result<void> StagedLight::takeForm(const PreparedEnvironment& prepared, bool filters_floats) {
+  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
+  auto form = std::make_shared<LightForm>(prepared.suns.empty() ? environment_ : prepared.rest, std::move(light),
+                                          prepared.suns);
+  if (prepared.sun == SunKind::split && prepared.suns.empty()) forms_[static_cast<std::size_t>(SunKind::map)] = form;
+  forms_[static_cast<std::size_t>(prepared.sun)] = std::move(form);
+  return {};
 }
 
-Result<const FlatLight*> StagedLight::flatLight(gl::Api api, BlurKind blur) {
-  MIRRORBALL_TRY(chain, prefilteredChain(api, blur));
-  Derived<FlatLight>& flat = flat_lights_[blur == BlurKind::gpu ? 1 : 0];
-  MIRRORBALL_TRY(made, flat.tryGet(versions_, [&] { return FlatLight::make(*light_, *chain.texture); }));
-  return made;
+Result<std::shared_ptr<LightForm>> StagedLight::formFor(SunKind sun, const std::optional<CacheFolder>& cache,
+                                                        bool filters_floats) {
+  if (!hasForm(sun)) {
+    MIRRORBALL_TRY(prepared, prepareEnvironment(*environment_, cache, {}, sun));
+    MIRRORBALL_TRY_VOID(takeForm(prepared, filters_floats));
+  }
+  return forms_[static_cast<std::size_t>(sun)];
 }
 
 Result<const LightSampler*> StagedLight::groundSampler() {

@@ -5,8 +5,11 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "formula/sun.h"
 #include "mirrorball/bake/light_sampler.h"
+#include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
@@ -25,20 +28,17 @@ namespace mirrorball {
 /// errors   as LightSampler's
 Result<LightSampler> makeGroundSampler(const Environment& environment, const ProgressFunction& progress = {});
 
-/// An environment's light on the GPU, and what is computed from it for all views.
-class StagedLight {
+/// An environment's cubes on the GPU, with its suns or without them, and what is computed from the cubes for all views.
+class LightForm {
  public:
-  /// Shows another one.
-  ///
-  /// errors   too_large (a texture for this driver); then it is as before
-  Result<void> set(Environment environment, const PreparedEnvironment& prepared, bool filters_floats);
+  /// environment   that the cubes are of
+  LightForm(std::shared_ptr<const Environment> environment, EnvironmentLight light, std::vector<formula::Sun> suns)
+      : environment_(std::move(environment)), light_(std::move(light)), suns_(std::move(suns)) {}
 
-  bool has() const { return light_.has_value(); }
   const Environment& environment() const { return *environment_; }
-  const std::shared_ptr<const Environment>& sharedEnvironment() const { return environment_; }
-  const EnvironmentLight& light() const { return *light_; }
-  /// StageVersions::of the environment.
-  std::uint64_t version() const { return versions_.of(StagePart::environment); }
+  const EnvironmentLight& light() const { return light_; }
+  /// Those that are not in the cubes.
+  const std::vector<formula::Sun>& suns() const { return suns_; }
 
   /// The chain that this kind of blur reads.
   ///
@@ -48,6 +48,40 @@ class StagedLight {
   ///
   /// errors   as prefilteredChain's
   Result<const FlatLight*> flatLight(gl::Api api, BlurKind blur);
+
+ private:
+  std::shared_ptr<const Environment> environment_;
+  EnvironmentLight light_;
+  std::vector<formula::Sun> suns_;
+  std::optional<GpuPrefilter> gpu_prefilter_;
+  std::array<std::optional<FlatLight>, 2> flat_lights_;  ///< of both chains
+};
+
+/// An environment's light on the GPU, and what is computed from it for all views.
+class StagedLight {
+ public:
+  /// Shows another one, whose cubes are prepared for one kind of sun.
+  ///
+  /// errors   too_large (a texture for this driver); then it is as before
+  Result<void> set(Environment environment, const PreparedEnvironment& prepared, bool filters_floats);
+
+  bool has() const { return environment_ != nullptr; }
+  const Environment& environment() const { return *environment_; }
+  const std::shared_ptr<const Environment>& sharedEnvironment() const { return environment_; }
+  /// StageVersions::of the environment.
+  std::uint64_t version() const { return versions_.of(StagePart::environment); }
+
+  /// The cubes for a kind of sun, made if they are not there.
+  ///
+  /// cache    of prepareEnvironment; optional
+  /// errors   as prepareEnvironment's; too_large (a texture for this driver)
+  Result<std::shared_ptr<LightForm>> formFor(SunKind sun, const std::optional<CacheFolder>& cache, bool filters_floats);
+  bool hasForm(SunKind sun) const { return forms_[static_cast<std::size_t>(sun)] != nullptr; }
+  /// Those that were made elsewhere, of this environment.
+  ///
+  /// errors   too_large (a texture for this driver)
+  Result<void> takeForm(const PreparedEnvironment& prepared, bool filters_floats);
+
   /// errors   as makeGroundSampler's
   Result<const LightSampler*> groundSampler();
   bool hasGroundSampler() const { return ground_sampler_.has(versions_); }
@@ -56,12 +90,9 @@ class StagedLight {
 
  private:
   std::shared_ptr<const Environment> environment_;
-  std::optional<EnvironmentLight> light_;
+  std::array<std::shared_ptr<LightForm>, 2> forms_;  ///< of each SunKind; the same where there are no suns
   StageVersions versions_;
-  Derived<GpuPrefilter> gpu_prefilter_{StagePart::environment};
   Derived<LightSampler> ground_sampler_{StagePart::environment};
-  std::array<Derived<FlatLight>, 2> flat_lights_{Derived<FlatLight>(StagePart::environment),
-                                                 Derived<FlatLight>(StagePart::environment)};  ///< of both chains
 };
 
 }  // namespace mirrorball

@@ -10,6 +10,7 @@ namespace {
 Result<SceneTraits> traitsFor(const Scene& scene, const TechniqueWishes& wishes, const FrameSettings& settings) {
   SceneTraits traits = traitsOf(scene);
   traits.can_trace_rays = !wishes.objects_move;
+  traits.has_strong_sun = wishes.has_strong_sun;
   if (!dependsOnHiding(wishes.quality, traits, wishes.given, settings)) return traits;
   MIRRORBALL_TRY(hides, hidesItself(scene));
   traits.hides_itself = hides;

@@ -18,6 +18,7 @@ namespace mirrorball {
 struct TechniqueWishes {
   Quality quality = Quality::draft;
   std::set<std::string_view> given = {};  ///< names of options that stay as they are
+  bool has_strong_sun = false;            ///< SceneTraits'
   bool objects_move = false;              ///< among each other, from picture to picture
   bool needs_all = false;                 ///< where what is chosen is too large for the scene, that is an error
 };

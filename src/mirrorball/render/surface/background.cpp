@@ -59,6 +59,10 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
                                   static_cast<float>(chain.first_level);
   program.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
   program.set("is_shadow_alone", static_cast<int>(!settings.showsEnvironment()));
+  const SunUniforms& suns = frame.light.suns;
+  program.set("sun_count", suns.are_seen ? static_cast<int>(suns.suns.size()) : 0);
+  if (!suns.suns.empty()) program.set("sun_rows", std::span<const glm::vec4>(suns.rows()));
+  program.set("sun_roughness", blurred ? kBackgroundRoughness : 0.0f);
   program.set("page", pageOf(settings));
   program.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
   screen_.draw(3);

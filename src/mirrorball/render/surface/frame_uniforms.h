@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "formula/bodies.h"
+#include "formula/sun.h"
 #include "formula/surface.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/render/light/flat_light.h"
@@ -57,6 +58,24 @@ struct SampleUniforms {
   std::span<const int> hidden = {};  ///< instances that are not drawn
 };
 
+/// Suns that stand apart from the environment's cubes.
+struct SunUniforms {
+  std::vector<formula::Sun> suns = {};          ///< in the world, as bright as the frame shows them
+  const gl::Texture* shadows = nullptr;         ///< SunShadows::picture; null: there are no suns
+  std::span<const glm::vec4> shadow_rows = {};  ///< SunShadows::rows
+  bool are_seen = true;                         ///< behind the scene
+
+  /// As shaders/surface/sun_list.glsl reads them.
+  std::vector<glm::vec4> rows() const {
+    std::vector<glm::vec4> rows;
+    for (const formula::Sun& sun : suns) {
+      rows.emplace_back(sun.towards, sun.radius);
+      rows.emplace_back(sun.irradiance, 0.0f);
+    }
+    return rows;
+  }
+};
+
 /// The environment's light as a frame reads it (FrameLight::begin).
 struct LightUniforms {
   PrefilteredChain prefiltered;
@@ -64,6 +83,7 @@ struct LightUniforms {
   ProxyUniforms* proxy = nullptr;           ///< placed as the settings say; must be set
   const FlatLight* flat = nullptr;          ///< where FrameSettings::look_up reads it
   const gl::Texture* sphere_map = nullptr;  ///< of the frame's camera; null: no coordinates are places of it
+  SunUniforms suns = {};
 };
 
 /// What rays and texture coordinates of a frame need of the scene (SceneDrawing::begin).

@@ -278,6 +278,12 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, const TextureUnits
   }
 }
 
+bool SceneBuffers::bindTexture(std::size_t texture, int unit) const {
+  if (!textures_[texture]) return false;
+  textures_[texture]->texture.bind(unit, texture_samplers_[texture]);
+  return true;
+}
+
 void SceneBuffers::setIorAround(std::size_t instance, std::span<const float> ior) {
   std::vector<float> less_one(ior.begin(), ior.end());
   for (float& each : less_one) each -= 1.0f;

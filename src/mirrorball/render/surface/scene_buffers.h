@@ -79,6 +79,8 @@ class SceneBuffers {
   unsigned textureName(std::size_t texture) const {
     return textures_[texture] ? textures_[texture]->texture.name() : 0;
   }
+  /// Binds a texture that has a unit of its own; false: it has none.
+  bool bindTexture(std::size_t texture, int unit) const;
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
   /// Whether some of a material's textures are layers of an array.

@@ -56,6 +56,11 @@ void readProbe(SurfaceVariant& variant, const SurfaceLight& probe) {
   if (variant.has(Part::sky, SkyPart::occluded)) variant.choose(Part::sky, SkyPart::open);
 }
 
+/// Where there is no texture unit for the suns' shadows, there are no shadows.
+void leaveRoom(SurfaceVariant& variant) {
+  if (variant.sun_count > 0 && !TextureUnits::suffice(variant)) variant.choose(Part::suns, SunsPart::open);
+}
+
 /// As shaders/surface/transmission_traced.glsl reads them.
 std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media) {
   std::array<glm::vec4, formula::kMaxMedia> rows{};
@@ -67,12 +72,18 @@ std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media)
 void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const FrameUniforms& frame,
                  const FrameSettings& settings) {
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
+  const SunUniforms& suns = frame.light.suns;
+  const std::vector<glm::vec4> sun_rows = suns.rows();
   const auto eye_media = mediaRows(frame.scene.eye_media);
   for (auto& [variant, entry] : programs) {
     if (!entry.made) continue;
     gl::Program& program = entry.made->program;
     if (variant.lamp_count > 0 && std::size_t(variant.lamp_count) * 4 == lamps.size())
       program.set("lamp_rows", std::span<const glm::vec4>(lamps));
+    if (variant.sun_count > 0 && std::size_t(variant.sun_count) == suns.suns.size()) {
+      program.set("sun_rows", std::span<const glm::vec4>(sun_rows));
+      if (variant.has(Part::suns, SunsPart::shadowed)) program.set("sun_shadow_rows", suns.shadow_rows);
+    }
     if (variant.has(Part::transmission, TransmissionPart::traced))
       program.set("eye_media", std::span<const glm::vec4>(eye_media));
   }
@@ -92,13 +103,16 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
                                  !light_of_instance_.empty() && light_of_instance_[std::size_t(instance)] >= 0;
   decided.self_reflection = settings.self_reflection && uniforms_.scene.triangles != nullptr && !sees_probe_behind;
   const auto variant = [&](const Material& seen) {
-    SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
-                                         settings.lights.size() + scene.lights.size(), coordinates_);
+    SurfaceVariant made = surfaceVariant(
+        seen, buffers.mapsOf(material), decided,
+        {.lamps = settings.lights.size() + scene.lights.size(), .suns = uniforms_.light.suns.suns.size()},
+        coordinates_);
     if (seen.unlit) return made;
     const int light = lightRead(made, instance);
     if (light > 0) readProbe(made, lights_[std::size_t(light)]);
     const bool reads_lobes = !made.has(Part::look_up, LookUpPart::sphere_map) &&
                              !made.has(Part::look_up, LookUpPart::stretched) && made.has(Part::proxy, ProxyPart::none);
+    leaveRoom(made);
     made.constants.has_wide_lobes = reads_lobes && hasWideLobes(seen, made.constants, lights_[std::size_t(light)].blur);
     return made;
   };
@@ -114,7 +128,8 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
 bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
   return version == frame.version && coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
          has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
-         captured == frame.captured && last_levels == frame.last_levels && settings == frame.settings;
+         sun_count == frame.sun_count && captured == frame.captured && last_levels == frame.last_levels &&
+         settings == frame.settings;
 }
 
 SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
@@ -157,7 +172,8 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
                 .coordinates = coordinates_,
                 .eye_is_inside = eyeIsInside(),
                 .has_scene_triangles = uniforms_.scene.triangles != nullptr,
-                .light_of_instance = light_of_instance_};
+                .light_of_instance = light_of_instance_,
+                .sun_count = uniforms_.light.suns.suns.size()};
   for (const SurfaceLight& light : lights_) {
     list.captured.push_back(light.nearness != nullptr);
     list.last_levels.push_back(light.blur.last_level);
@@ -334,6 +350,7 @@ void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceL
   bind(FrameTexture::back_faces, screen.back_faces ? &screen.back_faces->picture() : nullptr);
   bind(FrameTexture::opaque_picture, screen.opaque_picture);
   bind(FrameTexture::relief_hits, screen.relief_hits);
+  bind(FrameTexture::sun_shadows, uniforms_.light.suns.shadows);
 }
 
 void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {

@@ -74,6 +74,7 @@ class SurfaceDrawing {
     bool eye_is_inside = false;
     bool has_scene_triangles = false;
     std::vector<int> light_of_instance = {};
+    std::size_t sun_count = 0;
     std::vector<bool> captured = {};      ///< of each light: whether it has `nearness`
     std::vector<float> last_levels = {};  ///< of each light's chain
     std::vector<Draw> draws = {};         ///< of each instance

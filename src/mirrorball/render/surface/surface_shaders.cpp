@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "shaders/embedded_text.h"
 
@@ -146,7 +147,8 @@ Result<gl::ShaderSource> withProxy(gl::Api api, std::string_view entry, ProxyKin
     if (name == entry) return text;
     return embeddedText(name);
   };
-  return gl::shaderSource(api, entry, {}, find);
+  const std::string suns = "SUN_COUNT " + std::to_string(kMostSuns);
+  return gl::shaderSource(api, entry, std::array<std::string_view, 1>{suns}, find);
 }
 
 Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant) {
@@ -161,6 +163,7 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
   std::vector<std::string> defines{"MAP_COUNT " + std::to_string(materialMaps().size()),
                                    "LOOK_UP_COORDINATES " + std::string(formulaOf(coordinates.look_up)),
                                    "PICTURE_COORDINATES " + std::string(formulaOf(coordinates.picture))};
+  if (variant.sun_count > 0) defines.push_back("SUN_COUNT " + std::to_string(variant.sun_count));
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
   for (std::string& definition : definitionsOf(variant.constants)) defines.push_back(std::move(definition));
   const std::vector<std::string_view> views(defines.begin(), defines.end());

@@ -28,6 +28,7 @@ constexpr auto kProxy = std::to_array<Names>({"proxy_none.glsl", "proxy_box.glsl
                                               "proxy_ground.glsl", "proxy_triangles.glsl", "proxy_captured.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
+constexpr auto kSuns = std::to_array<Names>({"suns_none.glsl", "suns_open.glsl", "suns_shadowed.glsl"});
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl",
                           "look_up_strata.glsl", "look_up_lobe_row.glsl"});
@@ -53,6 +54,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"material", kMaterial},
     {"proxy", kProxy},
     {"arriving light", kArrivingLight},
+    {"suns", kSuns},
     {"look-up", kLookUp},
     {"dispersion", kDispersion},
     {"behind", kBehind},
@@ -230,7 +232,7 @@ bool someRefract(const Scene& scene, RefractionKind kind, RefractionKind asked) 
 }
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
-                              std::size_t lamps, const CoordinateChoice& coordinates) {
+                              LampCounts lamps, const CoordinateChoice& coordinates) {
   SurfaceVariant variant;
   variant.maps = std::move(maps);
   if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
@@ -258,8 +260,10 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::behind, behindPart(material, variant.maps, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::sky, skyPart(variant, material, settings, coordinates));
-  variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
-  variant.lamp_count = static_cast<std::uint8_t>(lamps);
+  variant.choose(Part::lamps, lamps.lamps == 0 ? LampsPart::none : LampsPart::listed);
+  variant.lamp_count = static_cast<std::uint8_t>(lamps.lamps);
+  variant.choose(Part::suns, lamps.suns == 0 ? SunsPart::none : SunsPart::shadowed);
+  variant.sun_count = static_cast<std::uint8_t>(lamps.suns);
   return variant;
 }
 

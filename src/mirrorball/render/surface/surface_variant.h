@@ -37,6 +37,7 @@ enum class Part {
   material,
   proxy,
   arriving_light,
+  suns,
   look_up,
   dispersion,
   behind,
@@ -46,7 +47,7 @@ enum class Part {
   coat,
   alpha
 };
-constexpr std::size_t kParts = 18;
+constexpr std::size_t kParts = 19;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
@@ -61,6 +62,7 @@ enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
 /// ProxyKind's, and what a probe has captured.
 enum class ProxyPart : std::uint8_t { none, box, sphere, ground, mesh, captured };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
+enum class SunsPart : std::uint8_t { none, open, shadowed };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, strata, lobe_row };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class BehindPart : std::uint8_t { light, screen };
@@ -75,6 +77,7 @@ struct SurfaceVariant {
   std::array<std::uint8_t, kParts> answers{};
   std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
   std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::listed
+  std::uint8_t sun_count = 0;                                                   ///< of SunsPart::open and shadowed
   CoordinateChoice coordinates = {};
   ShaderConstants constants = {};
 
@@ -91,8 +94,8 @@ struct SurfaceVariant {
   bool operator==(const SurfaceVariant&) const = default;
   /// Any order, for maps. libc++ 14, which compilers for browsers have, lacks <=> of containers.
   bool operator<(const SurfaceVariant& other) const {
-    return std::tie(answers, maps, lamp_count, coordinates, constants) <
-           std::tie(other.answers, other.maps, other.lamp_count, other.coordinates, other.constants);
+    return std::tie(answers, maps, lamp_count, sun_count, coordinates, constants) <
+           std::tie(other.answers, other.maps, other.lamp_count, other.sun_count, other.coordinates, other.constants);
   }
 };
 
@@ -108,11 +111,17 @@ RefractionKind refractionOf(const Scene& scene, int material, RefractionKind ask
 /// Whether light passes so through some body.
 bool someRefract(const Scene& scene, RefractionKind kind, RefractionKind asked);
 
+/// How many small lights a frame has.
+struct LampCounts {
+  std::size_t lamps = 0;  ///< of LampsPart
+  std::size_t suns = 0;   ///< of SunsPart
+};
+
 /// maps          mapSources() of the material
-/// lamps         how many there are
+/// lamps         how many there are, and suns that stand apart
 /// coordinates   of the frame
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
-                              std::size_t lamps, const CoordinateChoice& coordinates = {});
+                              LampCounts lamps, const CoordinateChoice& coordinates = {});
 
 /// Whether reflected light comes from a row of lobes along the tangent: about the reflected ray of each fragment, and
 /// not where other coordinates are asked for.

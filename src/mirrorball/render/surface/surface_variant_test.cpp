@@ -50,7 +50,7 @@ TEST(SurfaceVariant, FollowsMaterialAndSettings) {
   settings.reflect_at = ReflectAt::triangle;
   std::vector<MapSource> maps(materialMaps().size());
   maps[2] = {.unit = 0};
-  const SurfaceVariant variant = surfaceVariant(material, maps, settings, 2);
+  const SurfaceVariant variant = surfaceVariant(material, maps, settings, {.lamps = 2});
   EXPECT_TRUE(variant.has(Part::normal, NormalPart::bump));
   EXPECT_TRUE(variant.has(Part::detail, DetailPart::none));
   EXPECT_TRUE(variant.has(Part::coordinates, CoordinatesPart::at_triangle));
@@ -96,7 +96,7 @@ TEST(SurfaceVariant, WhatAFrameAndAMaterialDecideAreConstants) {
 
   // What a variant does not read makes no other program.
   const auto constantsOf = [&](const Material& of) {
-    return surfaceVariant(of, std::vector<MapSource>(materialMaps().size()), settings, 0).constants;
+    return surfaceVariant(of, std::vector<MapSource>(materialMaps().size()), settings, {}).constants;
   };
   EXPECT_EQ(constantsOf(material).lobe_taps, 4);
   material.perceptual_roughness = 0.0f;

@@ -54,6 +54,8 @@ std::string_view samplerOf(FrameTexture texture, const SurfaceVariant& variant) 
     case FrameTexture::slopes:
       if (variant.has(Part::normal, NormalPart::heights)) return "slopes";
       return where(variant.has(Part::normal, NormalPart::slopes), "slope_map");
+    case FrameTexture::sun_shadows:
+      return where(variant.has(Part::suns, SunsPart::shadowed), "sun_shadows");
   }
   assert(false && "no such texture");
   return {};
@@ -66,9 +68,12 @@ TextureUnits::TextureUnits(const SurfaceVariant& variant) {
     const bool is_of_all = texture <= FrameTexture::brdf_table;
     units_[i] = is_of_all || !samplerOf(texture, variant).empty() ? next++ : -1;
   }
-  first_of_maps_ = next;
-  for (const MapSource& map : variant.maps) next = std::max(next, first_of_maps_ + map.unit + 1);
-  assert(next <= gl::Texture::kUnits && "more textures than OpenGL ES promises units");
+  first_of_maps_ = count_ = next;
+  for (const MapSource& map : variant.maps) count_ = std::max(count_, first_of_maps_ + map.unit + 1);
+}
+
+bool TextureUnits::suffice(const SurfaceVariant& variant) {
+  return TextureUnits(variant).count_ <= gl::Texture::kUnits;
 }
 
 }  // namespace mirrorball

@@ -28,9 +28,10 @@ enum class FrameTexture : std::uint8_t {
   prisms,
   heights,  ///< of the material, to be searched
   horizons,
-  slopes  ///< of heights, or a map of slopes
+  slopes,       ///< of heights, or a map of slopes
+  sun_shadows,  ///< what hides suns; last, since surfaces do without where no unit is left
 };
-constexpr std::size_t kFrameTextures = 16;
+constexpr std::size_t kFrameTextures = 17;
 
 /// Units of a material's own maps, heights and slopes: those that the frame leaves to it in OpenGL ES.
 constexpr int kUnitsOfMaterial = 9;
@@ -44,6 +45,9 @@ class TextureUnits {
  public:
   explicit TextureUnits(const SurfaceVariant& variant);
 
+  /// Whether there are units enough.
+  static bool suffice(const SurfaceVariant& variant);
+
   bool reads(FrameTexture texture) const { return units_[static_cast<std::size_t>(texture)] >= 0; }
   /// Of what is read.
   int of(FrameTexture texture) const { return units_[static_cast<std::size_t>(texture)]; }
@@ -53,6 +57,7 @@ class TextureUnits {
  private:
   std::array<int, kFrameTextures> units_;
   int first_of_maps_;
+  int count_;
 };
 
 /// The sampler by which a variant's shaders read it; empty: they do not.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/rays/seen_from.h"
 #include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/load_model.h"
@@ -25,8 +26,9 @@ Result<LoadedLight> loadedLight(const AskedMap& source, const std::optional<Cach
   LoadedEnvironment& loaded = map.loaded;
   if (EnvironmentMap* images = loaded.environment.map()) raiseNegativeLight(*images);
   MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
-  return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files),
-                     std::move(map.remark)};
+  MIRRORBALL_TRY(has_strong_sun, hasStrongSun(loaded.environment));
+  return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files), std::move(map.remark),
+                     has_strong_sun};
 }
 
 }  // namespace mirrorball

@@ -36,6 +36,7 @@ struct LoadedLight {
   PreparedEnvironment prepared;
   std::vector<std::string> files;  ///< that were read
   std::string remark = {};         ///< LoadedMap's
+  bool has_strong_sun = false;     ///< hasStrongSun() of it
 };
 
 /// errors   as loadMap's; interrupted

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/codec/color/display.h"
+#include "mirrorball/light_edit/sun_split.h"
 #include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/relief/relief.h"
@@ -23,16 +24,19 @@ struct TracedSide::Progress {
 struct TracedSide::Tracer {
   const int version;  // of the stage
   const ReliefKind relief;
+  const SunKind sun;
   std::mutex mutex;  // a tracing that was told to stop may go on for a moment
   std::optional<PathTracer> tracer = {};
 };
 
 namespace {
 
-Result<PathTracer> tracerOf(Scene scene, ReliefKind relief, const Environment& environment,
+Result<PathTracer> tracerOf(Scene scene, const FrameSettings& wanted, const Environment& environment,
                             const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(prepareRelief(scene, relief));
-  return PathTracer::make(std::move(scene), environment, progress);
+  MIRRORBALL_TRY_VOID(prepareRelief(scene, wanted.relief));
+  if (wanted.sunShown() == SunKind::map) return PathTracer::make(std::move(scene), environment, progress);
+  MIRRORBALL_TRY(split, withoutSuns(environment));
+  return PathTracer::make(std::move(scene), withSuns(std::move(split)), progress);
 }
 
 }  // namespace
@@ -45,14 +49,15 @@ void TracedSide::begin(const LitStage& stage, const FrameSettings& wanted) {
   has_ended_ = false;
   problem_.clear();
   so_far_ = std::make_shared<Progress>();
-  if (!tracer_ || tracer_->version != stage.version() || tracer_->relief != wanted.relief)
-    tracer_.reset(new Tracer{stage.version(), wanted.relief, {}});
+  if (!tracer_ || tracer_->version != stage.version() || tracer_->relief != wanted.relief ||
+      tracer_->sun != wanted.sunShown())
+    tracer_.reset(new Tracer{stage.version(), wanted.relief, wanted.sunShown(), {}});
   tracing_.begin([tracer = tracer_, so_far = so_far_, wanted, scene = stage.stage().scene(),
                   environment = stage.stage().state().light.sharedEnvironment()](
                      const ProgressFunction& progress) -> Result<Nothing> {
     const std::lock_guard one_at_a_time(tracer->mutex);
     if (!tracer->tracer) {
-      MIRRORBALL_TRY(made, tracerOf(scene, wanted.relief, *environment, progress));
+      MIRRORBALL_TRY(made, tracerOf(scene, wanted, *environment, progress));
       tracer->tracer.emplace(std::move(made));
     }
     MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), wanted.camera, wanted.size));

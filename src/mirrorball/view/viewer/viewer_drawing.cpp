@@ -42,7 +42,9 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   if (!given.contains("samples")) wanted.traced.samples = TraceSettings().samples;
   std::set<std::string_view> names;
   for (const auto& [name, texts] : given) names.insert(name);
-  wanted.chosen = fillIn(quality, model.traits(), names, wanted.drawn);
+  SceneTraits traits = model.traits();
+  traits.has_strong_sun = stageOf(side).hasStrongSun();
+  wanted.chosen = fillIn(quality, traits, names, wanted.drawn);
   if (moves()) {
     wanted.drawn.size = drawn[side].movingSize(size_px);
     wanted.drawn.samples = 1;

@@ -1,0 +1,66 @@
+// A sun: a small lamp of an environment that stands apart from the map, as a disc of even radiance infinitely far away.
+// Needs: constants, microfacet.
+
+struct Sun {
+  vec3 towards INITIALLY(vec3(0.0f, 1.0f, 0.0f));  // unit
+  float radius INITIALLY(0.0046f);                 // of the disc, rad
+  vec3 irradiance INITIALLY(vec3(0.0f));           // of a surface that faces it
+};
+
+// The squared distance of two unit directions in stereographic projection about one of them: 4 tan² of half of the
+// angle, which is the angle's square where it is small. From what they differ by, since their cosine is too coarse.
+FN float squaredDistance(vec3 a, vec3 b) {
+  vec3 between = a - b;
+  float chord2 = dot(between, between);
+  return chord2 / max(1.0f - 0.25f * chord2, 1e-6f);
+}
+
+// Its radius as a sample sees it that covers a solid angle: not smaller, so that no sample misses it. Its light is the
+// same then.
+FN float shownRadius(Sun sun, float footprint) { return max(sun.radius, sqrt(footprint)); }
+
+// The share of a round lobe that a disc beside its middle catches. The lobe is width² / (π (width² + r²)²), GGX's
+// density of slopes: the stereographic picture of an even sphere, in which discs are caps, and their share is the area
+// of one. With the width 0 it is 1 within the disc and 0 beyond, over an edge that is as wide as a sample sees:
+// the edge of a lobe is softer by itself.
+//   distance2   of the two middles, squared
+//   seen        what a sample covers, across; 0: a point
+FN float shareInDisc(float distance2, float radius, float width, float seen) {
+  float beyond = distance2 + width * width - radius * radius;
+  float caught = 2.0f * width * width * radius * radius;
+  float root = sqrt(beyond * beyond + 2.0f * caught);
+  float edge = max(seen, 1e-6f) * radius;
+  if (root < edge) return 0.5f - 0.5f * beyond / edge;
+  if (beyond <= 0.0f) return 0.5f - 0.5f * beyond / root;
+  // The same without a difference of nearly equal numbers.
+  return caught / (root * (root + beyond));
+}
+
+// The mean cosine of reflected directions of GGX's facets about their mirror direction, seen from straight above; those
+// below the surface count 0. From cos² of a facet's angle = (1 − u) / (1 − (1 − α²) u) for even u, by integration of
+// 2 cos² − 1 to where it is 0.
+FN float meanCosineOfLobe(float alpha) {
+  float a2 = clamp(alpha * alpha, 1e-8f, 0.96f);
+  float b = 1.0f - a2;
+  return 2.0f * (1.0f / ((1.0f + a2) * b) + a2 / (b * b) * log(2.0f * a2 / (1.0f + a2))) - 1.0f / (1.0f + a2);
+}
+
+// What of a sun a look-up sees: as prefilteredLight does of a map, by GGX's lobe about its mirror direction.
+//   d            unit, where it looks
+//   footprint    the solid angle that a sample sees, in sr
+FN vec3 sunInLobe(Sun sun, vec3 d, float perceptual_roughness, float footprint) {
+  float alpha = alphaFromPerceptualRoughness(perceptual_roughness);
+  float radius = shownRadius(sun, footprint);
+  float distance2 = squaredDistance(d, sun.towards);
+  // A facet turns what it reflects by twice its own angle. The projection enlarges what is far from its middle.
+  float share = shareInDisc(distance2, radius * (1.0f + 0.25f * distance2), 2.0f * alpha, sqrt(footprint));
+  float facing = max(dot(d, sun.towards), 0.0f) / meanCosineOfLobe(alpha);
+  return sun.irradiance * (share * facing / (kPi * radius * radius));
+}
+
+// The mean of max(cosine, 0) over a disc that may be cut by the horizon.
+//   cosine   of its middle with the normal
+FN float facingDisc(float cosine, float radius) {
+  float above = clamp(cosine + radius, 0.0f, 2.0f * radius);
+  return max(cosine, above * above / (4.0f * radius));
+}

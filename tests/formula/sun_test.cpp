@@ -1,0 +1,166 @@
+#include "formula/sun.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "formula/surface.h"
+
+namespace mirrorball::formula {
+namespace {
+
+constexpr float kDegree = 0.0174532925f;
+
+/// The mean of a function over even points of a disc of directions.
+template <typename Function>
+auto meanOverDisc(vec3 middle, float radius, Function function) {
+  constexpr int kPoints = 4000;
+  const vec3 t = anyTangent(middle);
+  const vec3 b = cross(middle, t);
+  decltype(function(middle)) sum(0.0f);
+  for (int i = 0; i < kPoints; ++i) {
+    const vec2 at = radius * shadowTap(i, kPoints, 0.0f);
+    sum += function(normalize(middle + at.x * t + at.y * b));
+  }
+  return sum / float(kPoints);
+}
+
+vec3 towardsAt(float angle) { return {std::sin(angle), 0.0f, std::cos(angle)}; }
+
+TEST(Sun, AShareOfALobeIsItsIntegralOverTheDisc) {
+  for (const float width : {0.3f, 1.0f, 3.0f})
+    for (const float distance : {0.0f, 0.5f, 0.9f, 1.1f, 3.0f}) {
+      double sum = 0.0;
+      constexpr int kPoints = 20000;
+      for (int i = 0; i < kPoints; ++i) {
+        const vec2 at = vec2(distance, 0.0f) + shadowTap(i, kPoints, 0.0f);
+        const double spread = double(width * width + dot(at, at));
+        sum += double(width * width) / (3.14159265 * spread * spread);
+      }
+      const double integral = sum / kPoints * 3.14159265;
+      EXPECT_NEAR(shareInDisc(distance * distance, 1.0f, width, 0.0f), integral, 1e-3) << width << " " << distance;
+    }
+}
+
+TEST(Sun, WithoutALobeItIsTheDisc) {
+  EXPECT_EQ(shareInDisc(0.99f, 1.0f, 0.0f, 0.0f), 1.0f);
+  EXPECT_EQ(shareInDisc(1.01f, 1.0f, 0.0f, 0.0f), 0.0f);
+  // The edge is as wide as a sample sees.
+  EXPECT_NEAR(shareInDisc(1.0f, 1.0f, 0.0f, 0.2f), 0.5f, 1e-6f);
+  EXPECT_GT(shareInDisc(1.05f * 1.05f, 1.0f, 0.0f, 0.2f), 0.0f);
+  EXPECT_EQ(shareInDisc(1.2f * 1.2f, 1.0f, 0.0f, 0.2f), 0.0f);
+}
+
+/// However coarsely a mirror is sampled, the samples together see all of the sun's light.
+TEST(Sun, NoSampleMissesIt) {
+  Sun sun;
+  sun.towards = normalize(vec3(0.003f, 0.001f, 1.0f));
+  sun.irradiance = vec3(2.0f);
+  for (const float pixel : {0.002f, 0.02f, 0.1f}) {
+    double sum = 0.0;
+    for (int y = -40; y <= 40; ++y)
+      for (int x = -40; x <= 40; ++x) {
+        const vec3 d = normalize(vec3(pixel * float(x), pixel * float(y), 1.0f));
+        const double solid_angle = double(pixel * pixel * d.z * d.z * d.z);
+        sum += double(sunInLobe(sun, d, 0.0f, pixel * pixel).x) * solid_angle;
+      }
+    EXPECT_NEAR(sum, 2.0, 0.1) << pixel;
+  }
+}
+
+TEST(Sun, ARoughLookUpSeesWhatALobeReflectsOfIt) {
+  Sun sun;
+  sun.radius = 0.5f * kDegree;
+  sun.irradiance = vec3(1.0f);
+  for (const float roughness : {0.2f, 0.4f, 0.7f}) {
+    const float alpha = roughness * roughness;
+    // The lobe's density over its mean cosine, by the formulas of sampling.
+    double cosines = 0.0;
+    constexpr int kSamples = 4000;
+    for (int i = 0; i < kSamples; ++i) cosines += std::max(0.0, double(coneRay(alpha, i, kSamples).z)) / kSamples;
+    EXPECT_NEAR(meanCosineOfLobe(alpha), cosines, 2e-3) << roughness;
+    for (const float angle : {0.0f, 0.05f, 0.3f, 1.0f}) {
+      sun.towards = towardsAt(angle);
+      const float seen = meanOverDisc(sun.towards, sun.radius, [&](vec3 l) {
+        const float cosine = std::max(l.z, 0.0f);
+        return ggxDistribution(vec2(alpha), normalize(l + vec3(0, 0, 1))) / 4.0f * cosine / float(cosines);
+      });
+      EXPECT_NEAR(sunInLobe(sun, vec3(0, 0, 1), roughness, 0.0f).x, seen, 0.01f * seen) << roughness << " " << angle;
+    }
+  }
+}
+
+TEST(Sun, OfADiscAtTheHorizonAPartShines) {
+  EXPECT_EQ(facingDisc(0.5f, 0.01f), 0.5f);
+  EXPECT_EQ(facingDisc(-0.01f, 0.01f), 0.0f);
+  const float half = meanOverDisc(vec3(1, 0, 0), 0.01f, [](vec3 l) { return std::max(l.z, 0.0f); });
+  EXPECT_NEAR(facingDisc(0.0f, 0.01f), half, 0.2f * half);
+}
+
+Surface surfaceOf(float roughness, float cosine) {
+  Surface s;
+  s.material = coreMaterial(Material(), vec3(0.9f, 0.6f, 0.3f), 0.5f, roughness, vec3(0.0f));
+  s.normal = vec3(0, 0, 1);
+  s.tangent = vec3(1, 0, 0);
+  s.occlusion = 1.0f;
+  s.environment_brdf = vec3(0.05f, 0.3f, 0.2f);
+  return seenAlong(s, -towardsAt(std::acos(cosine)));
+}
+
+/// Beside the mean over the disc of what light from one direction shows. Of a lobe as wide as a large disc, seen at an
+/// angle, that the lobe is no circle costs a sixth.
+TEST(Sun, ASurfaceAnswersToEachPartOfIt) {
+  Sun sun;
+  sun.irradiance = vec3(3.0f);
+  for (const float radius_deg : {0.1f, 0.265f, 1.0f})
+    for (const float roughness : {0.15f, 0.3f, 0.6f, 1.0f})
+      for (const float cosine : {1.0f, 0.7f, 0.3f}) {
+        sun.radius = radius_deg * kDegree;
+        const Surface s = surfaceOf(roughness, cosine);
+        const vec3 ray = -towardsAt(std::acos(cosine));
+        const auto at = [&](float beside) {
+          sun.towards = normalize(reflect(ray, s.normal) + beside * vec3(0.4f, 0.6f, 0.3f));
+          return meanOverDisc(sun.towards, sun.radius,
+                              [&](vec3 l) { return shadedByPunctualLight(s, ray, l, sun.irradiance).x; });
+        };
+        const float brightest = at(0.0f);
+        for (const float beside : {0.0f, 0.01f, 0.05f, 0.2f, 0.6f}) {
+          const float truth = at(beside);
+          EXPECT_NEAR(shadedBySun(s, ray, sun, 0.0f).x, truth, (0.03f + 0.15f * radius_deg) * truth + 0.01f * brightest)
+              << radius_deg << " degrees, roughness " << roughness << ", cosine " << cosine << ", beside " << beside;
+        }
+      }
+}
+
+TEST(Sun, AMirrorShowsItsDisc) {
+  Sun sun;
+  sun.irradiance = vec3(1.0f);
+  sun.radius = 0.3f * kDegree;
+  const float radiance = 1.0f / (kPi * sun.radius * sun.radius);
+  for (const float cosine : {1.0f, 0.5f, 0.1f}) {
+    Surface s = surfaceOf(0.0f, cosine);
+    s.material.metallic = 1.0f;
+    s.material.base_color = vec3(1.0f);
+    s = seenAlong(s, -towardsAt(std::acos(cosine)));
+    const vec3 ray = -towardsAt(std::acos(cosine));
+    const auto at = [&](float share) {
+      const vec3 mirrored = reflect(ray, s.normal);
+      sun.towards = normalize(mirrored + share * sun.radius * normalize(cross(mirrored, vec3(0.2f, 1.0f, 0.1f))));
+      return shadedBySun(s, ray, sun, 0.0f).x;
+    };
+    for (const float share : {0.0f, 0.5f, 0.9f}) EXPECT_NEAR(at(share), radiance, 0.04f * radiance) << cosine;
+    for (const float share : {1.1f, 2.0f, 10.0f}) EXPECT_LT(at(share), 0.02f * radiance) << cosine;
+  }
+}
+
+TEST(Sun, ShadowsFollowThePlaneTheyFallOn) {
+  // 45 degrees towards +x, seen along +z: it becomes deeper by as much as it goes to −x.
+  const vec2 slope = slopeInShadow(normalize(vec3(1.0f, 0.0f, -1.0f)));
+  EXPECT_NEAR(slope.x, 1.0f, 1e-5f);
+  EXPECT_NEAR(slope.y, 0.0f, 1e-6f);
+  EXPECT_LE(length(slopeInShadow(vec3(1.0f, 0.0f, 0.0f))), 4.001f);
+}
+
+}  // namespace
+}  // namespace mirrorball::formula

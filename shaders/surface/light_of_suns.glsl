@@ -7,36 +7,46 @@
 #include "lamp_shading.glsl"
 #include "sun_shading.glsl"
 
-float sun_seen[SUN_COUNT];
+struct SunsSeen {
+  float share[SUN_COUNT];
+};
+
+SunsSeen suns_at_point;
+
+SunsSeen sunsSeen(vec3 place, vec3 up) {
+  SunsSeen seen;
+  for (int i = 0; i < SUN_COUNT; ++i) seen.share[i] = sunShare(i, place, up);
+  return seen;
+}
+
+SunsSeen allSuns() {
+  SunsSeen seen;
+  for (int i = 0; i < SUN_COUNT; ++i) seen.share[i] = 1.0;
+  return seen;
+}
 
 void meetSuns(SurfacePoint point) {
-  vec3 up = seesFront() ? point.normal : -point.normal;
-  for (int i = 0; i < SUN_COUNT; ++i) {
-    vec3 towards = sun_rows[2 * i].xyz;
-    sun_seen[i] = sunShare(i, point.position, up) * lightThatArrives(point, towards);
-  }
+  suns_at_point = sunsSeen(point.position, seesFront() ? point.normal : -point.normal);
+  for (int i = 0; i < SUN_COUNT; ++i) suns_at_point.share[i] *= lightThatArrives(point, sunAt(i).towards);
+}
+
+vec3 litBySuns(Surface s, vec3 ray, SunsSeen seen, float footprint) {
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < SUN_COUNT; ++i) light += seen.share[i] * shadedBySun(s, ray, sunAt(i), footprint);
+  return light;
 }
 
 vec3 lightOfSuns(Surface s, SurfacePoint point) {
   vec3 mirrored = reflect(point.ray, s.normal);
   float footprint = sampleFootprint(dFdx(mirrored), dFdy(mirrored), samples_per_pixel);
-  vec3 light = vec3(0.0);
-  for (int i = 0; i < SUN_COUNT; ++i) light += sun_seen[i] * shadedBySun(s, point.ray, sunAt(i), footprint);
-  return light;
+  return litBySuns(s, point.ray, suns_at_point, footprint);
 }
 
-vec3 litBySuns(Surface s, vec3 place, vec3 ray) {
-  vec3 light = vec3(0.0);
-  for (int i = 0; i < SUN_COUNT; ++i)
-    light += sunShare(i, place, s.normal) * shadedBySun(s, ray, sunAt(i), 0.0);
-  return light;
-}
-
-vec3 irradianceOfSuns(vec3 n) {
+vec3 irradianceOfSuns(vec3 n, SunsSeen seen) {
   vec3 light = vec3(0.0);
   for (int i = 0; i < SUN_COUNT; ++i) {
     Sun sun = sunAt(i);
-    light += sun.irradiance * (facingDisc(dot(n, sun.towards), sun.radius) / kPi);
+    light += sun.irradiance * (seen.share[i] * facingDisc(dot(n, sun.towards), sun.radius) / kPi);
   }
   return light;
 }

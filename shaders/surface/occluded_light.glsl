@@ -30,7 +30,8 @@ vec3 lightOnOccluders(vec3 position, PlaceInScene place, vec3 on_axis) {
   float size = length(place.lit_from);
   if (size < 1e-3 * brightness || size <= 0.0) return on_axis;
   vec3 towards = place.lit_from / size;
-  return mix(on_axis, arrivingIrradiance(position, towards) + irradianceOfSuns(towards), min(size / brightness, 1.0));
+  vec3 facing = arrivingIrradiance(position, towards) + irradianceOfSuns(towards, allSuns());
+  return mix(on_axis, facing, min(size / brightness, 1.0));
 }
 
 // Of the environment's light, divided by π.
@@ -45,13 +46,14 @@ vec3 lightPastHiders(vec3 position, vec3 normal, Opening opening, float open, ve
   return mix(through, beside, share);
 }
 
-OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place) {
+//   suns   those that are seen from there
+OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place, SunsSeen suns) {
   OccludedLight light;
   light.open = clamp(place.occluded.w, 0.0, 1.0);
   light.opening = openingOf(normal, place.occluded.xyz, light.open);
   light.share = light.open + place.interreflected;
   vec3 on_axis = arrivingIrradiance(position, light.opening.axis);
-  vec3 on_occluders = lightOnOccluders(position, place, on_axis + irradianceOfSuns(light.opening.axis));
+  vec3 on_occluders = lightOnOccluders(position, place, on_axis + irradianceOfSuns(light.opening.axis, suns));
   light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
                      place.interreflected * on_occluders + place.emitted;
   light.tint = min(place.interreflected / max(1.0 - light.open, kLeastOccluded), 1.0);
@@ -62,7 +64,8 @@ OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place) {
 
 // Of a surface that is drawn. Where it is seen from behind something is known if backs are drawn by themselves.
 OccludedLight lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
-  return occludedLight(point.position, s.normal, seesFront() || knows_backs > 0 ? place : kInTheOpen);
+  return occludedLight(point.position, s.normal, seesFront() || knows_backs > 0 ? place : kInTheOpen,
+                       suns_at_point);
 }
 
 // The mean radiance of what shines, for a lobe that sees at least what hides: of a small lamp a rough surface shows no

@@ -32,12 +32,13 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   s.stretched_share = 1.0;
   s.sheen_albedo = 0.0;
   s = seenAlong(s, direction);
+  SunsSeen suns = sunsSeen(place, s.normal);
   OccludedLight light =
-      occludedLight(place, s.normal, PlaceInScene(met.occluded, met.interreflected, met.lit_from, met.emitted));
+      occludedLight(place, s.normal, PlaceInScene(met.occluded, met.interreflected, met.lit_from, met.emitted), suns);
   vec3 mirrored = reflect(direction, s.normal);
   vec3 reflected = occludedReflection(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
-  return shadedOccluded(light, s, reflected, vec3(0.0), vec3(0.0)) + litBySuns(s, place, direction);
+  return shadedOccluded(light, s, reflected, vec3(0.0), vec3(0.0)) + litBySuns(s, direction, suns, 0.0);
 }
 
 // A direction that facets of the surface reflect towards the eye, another one for each sample of a pixel.

@@ -1,13 +1,24 @@
 // Part "suns": the light of suns that stand apart from the environment's map (formula/sun.glsl).
-//   void meetSuns(SurfacePoint point)                which of them the point sees, for lightOfSuns
-//   vec3 lightOfSuns(Surface s, SurfacePoint point)  what a surface at that point sends of it to the eye
-//   vec3 litBySuns(Surface s, vec3 place, vec3 ray)  the same of a surface elsewhere, which a ray meets
-//   vec3 irradianceOfSuns(vec3 n)                    on a surface with the normal n that sees them all, divided by π
+//   struct SunsSeen                                  how much of each is seen from a place
+//   SunsSeen sunsSeen(vec3 place, vec3 up)           up: unit, of the surface there
+//   SunsSeen allSuns()                               from where nothing hides them
+//   void meetSuns(SurfacePoint point)                finds those of the point that is drawn: suns_at_point
+//   vec3 lightOfSuns(Surface s, SurfacePoint point)  what a surface at that point sends of their light to the eye
+//   vec3 litBySuns(Surface s, vec3 ray, SunsSeen seen, float footprint)       the same of any surface that a ray meets
+//   vec3 irradianceOfSuns(vec3 n, SunsSeen seen)     on a surface with the normal n, divided by π
 //   vec3 sunsAlong(vec3 origin, vec3 d, float perceptual_roughness, float footprint)      as incomingLight's
 // Here: there are none.
 
+struct SunsSeen {
+  float share;
+};
+
+const SunsSeen suns_at_point = SunsSeen(1.0);
+
+SunsSeen sunsSeen(vec3 place, vec3 up) { return suns_at_point; }
+SunsSeen allSuns() { return suns_at_point; }
 void meetSuns(SurfacePoint point) {}
 vec3 lightOfSuns(Surface s, SurfacePoint point) { return vec3(0.0); }
-vec3 litBySuns(Surface s, vec3 place, vec3 ray) { return vec3(0.0); }
-vec3 irradianceOfSuns(vec3 n) { return vec3(0.0); }
+vec3 litBySuns(Surface s, vec3 ray, SunsSeen seen, float footprint) { return vec3(0.0); }
+vec3 irradianceOfSuns(vec3 n, SunsSeen seen) { return vec3(0.0); }
 vec3 sunsAlong(vec3 origin, vec3 d, float perceptual_roughness, float footprint) { return vec3(0.0); }

@@ -1,6 +1,10 @@
 // lights finds lamps, and takes them out of a map; bake --split does that, too.
 
+#include <chrono>
+#include <csignal>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -53,6 +57,22 @@ TEST_F(LightsTest, ProgramsGetTheSame) {
 TEST_F(LightsTest, TwoOutputsHaveTwoNames) {
   for (const char* outputs : {"-o one.png --split one.png", "--split rest.exr --lamps lamps.json --lamps lamps.json"}) {
     EXPECT_THAT(refuse(2, std::string("lights map.exr ") + outputs), HasSubstr("is named for two outputs"));
+  }
+}
+
+TEST_F(LightsTest, AnInterruptionLeavesNothing) {
+  Image map(4096, 2048, 3, 0.5f);
+  std::fill_n(map.texel(2000, 700), 3, 3e5f);
+  write("large.exr", map);
+  const std::vector<std::string> before = files();
+  const std::string line = "lights large.exr --split rest.exr --lamps lamps.json --lamps lamps.glb -o lamps.png";
+  for (const int pause_ms : {0, 100, 400}) {
+    Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = 1});
+    program.waitUntilItCatchesInterrupts();
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    program.interrupt();
+    EXPECT_EQ(program.wait().signal, SIGINT) << "after " << pause_ms << " ms";
+    EXPECT_EQ(files(), before) << "after " << pause_ms << " ms";
   }
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,6 +33,21 @@ TEST_F(QualityCliTest, GoodIsTheDefaultAndSaysWhatItChose) {
 TEST_F(QualityCliTest, NothingIsChosenWhereNothingIsNeeded) {
   EXPECT_EQ(runPlainly("render sphere --material gold -e studio --size 16x16 -o ball.png").err, "");
   EXPECT_EQ(runPlainly("render none -e studio --size 16x16 -o none.png").err, "");
+}
+
+TEST_F(QualityCliTest, AStrongSunStandsApart) {
+  Image map(256, 128, 3, 0.5f);
+  std::fill_n(map.texel(100, 40), 3, 2e4f);
+  write("sunny.exr", map);
+  const std::string line = "render sphere -e sunny.exr --size 32x32 ";
+  EXPECT_EQ(runPlainly(line + "-o good.png").err, "mirrorball: note: --quality good chose --sun split\n");
+  succeed(line + "--sun split -o split.png");
+  EXPECT_TRUE(bytes("good.png") == bytes("split.png"));
+  EXPECT_EQ(runPlainly(line + "--threads 1 -o alone.png").err, runPlainly(line + "-o good.png").err);
+  EXPECT_TRUE(bytes("good.png") == bytes("alone.png"));
+  EXPECT_EQ(runPlainly(line + "--sun map -o map.png").err, "");
+  EXPECT_FALSE(bytes("good.png") == bytes("map.png"));
+  EXPECT_EQ(runPlainly(line + "--proxy sphere -o near.png").err, "") << "where light is near, a sun is no direction";
 }
 
 TEST_F(QualityCliTest, WhatIsGivenIsDrawn) {

@@ -136,7 +136,7 @@ Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observe
 
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
   MIRRORBALL_TRY_VOID(checkChanges(names.materials));
-  // None of the three needs the others, but for heights that not every driver takes.
+  // None of the three needs the others, but for heights that not every driver takes, and suns that throw shadows.
   std::promise<int> largest_texture;
   const std::shared_future<int> largest = largest_texture.get_future().share();
   std::promise<bool> strong_sun;
@@ -146,8 +146,9 @@ Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Obser
   auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer, std::move(strong_sun)); });
   auto context = observer.timed("GL: start the driver", [] { return gl::Context::createHeadless(); });
   largest_texture.set_value(context ? context->largestTexture() : std::numeric_limits<int>::max());
-  auto model = model_later.get();
+  // The model asks about the light: on one core they are made only now, one after the other.
   auto light = light_later.get();
+  auto model = model_later.get();
   if (!model) return fail(std::move(model));
   if (!light) return fail(std::move(light));
   if (!context) return fail(std::move(context));

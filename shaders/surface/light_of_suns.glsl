@@ -26,8 +26,11 @@ SunsSeen allSuns() {
 }
 
 void meetSuns(SurfacePoint point) {
-  suns_at_point = sunsSeen(point.position, seesFront() ? point.normal : -point.normal);
-  for (int i = 0; i < SUN_COUNT; ++i) suns_at_point.share[i] *= lightThatArrives(point, sunAt(i).towards);
+  vec3 up = seesFront() ? point.normal : -point.normal;
+  for (int i = 0; i < SUN_COUNT; ++i) {
+    vec3 towards = sunAt(i).towards;
+    suns_at_point.share[i] = sunShare(i, placeAboveRelief(point, towards), up) * lightThatArrives(point, towards);
+  }
 }
 
 vec3 litBySuns(Surface s, vec3 ray, SunsSeen seen, float footprint) {

@@ -87,6 +87,8 @@ float lightThatArrives(SurfacePoint point, vec3 towards) {
   return lightOverRelief(point, relief_change, relief_place, towards);
 }
 
+vec3 placeAboveRelief(SurfacePoint point, vec3 towards) { return placeOnMesh(point, relief_place.z, towards); }
+
 bool seesFront() { return true; }
 
 float iorAroundVertices() { return 1.0; }

@@ -37,6 +37,12 @@ void seeRelief(inout SurfacePoint point, SurfaceChange change) {
   point.uv_down = uvOnPlane(point, change, point.uv_down, seen);
 }
 
+// The place of the mesh by which light reaches a point of the relief, of that height.
+vec3 placeOnMesh(SurfacePoint point, float height, vec3 towards) {
+  float depth = (1.0 - height) * dot(reliefUp(point), point.normal);
+  return point.position + towards * (depth / max(dot(towards, point.normal), kLeastReliefCosine));
+}
+
 // 1 where nothing of the relief is between a point of it and a far lamp, else 0.
 //   place     of the point: on the map in texels, and its height
 //   towards   unit, to the lamp

@@ -36,4 +36,6 @@ float lightThatArrives(SurfacePoint point, vec3 towards) {
   return lightOverRelief(point, surfaceChange(), relief_place, towards);
 }
 
+vec3 placeAboveRelief(SurfacePoint point, vec3 towards) { return placeOnMesh(point, relief_place.z, towards); }
+
 bool seesFront() { return gl_FrontFacing; }

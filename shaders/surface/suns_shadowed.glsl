@@ -10,6 +10,8 @@ uniform vec4 sun_shadow_rows[3 * SUN_COUNT];
 
 const int kShadowTaps = 8;
 
+const float kFarthest = 0.99999;  // where there is nothing it is 1
+
 // The nearest of the scene to the sun.
 //   at   from (0, 0) to (1, 1)
 float nearestToSun(int sun, vec2 at) {
@@ -38,7 +40,7 @@ float sunShare(int sun, vec3 place, vec3 up) {
   for (int i = 0; i < kShadowTaps; ++i) {
     vec2 beside = reach * shadowTap(i, kShadowTaps, turn);
     float depth = nearestToSun(sun, at.xy + beside);
-    if (depth >= at.z + dot(slope, beside)) continue;
+    if (depth >= min(at.z + dot(slope, beside), kFarthest)) continue;
     hiders += 1.0;
     depths += depth;
   }
@@ -47,7 +49,7 @@ float sunShare(int sun, vec3 place, vec3 up) {
   float lit = 0.0;
   for (int i = 0; i < kShadowTaps; ++i) {
     vec2 beside = width * shadowTap(i, kShadowTaps, turn);
-    lit += nearestToSun(sun, at.xy + beside) >= at.z + dot(slope, beside) ? 1.0 : 0.0;
+    lit += nearestToSun(sun, at.xy + beside) >= min(at.z + dot(slope, beside), kFarthest) ? 1.0 : 0.0;
   }
   return lit / float(kShadowTaps);
 }

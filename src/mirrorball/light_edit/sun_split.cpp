@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
@@ -12,21 +13,32 @@
 namespace mirrorball {
 namespace {
 
-constexpr LampSettings kSuns{.max = kMostSuns, .min_share = 0.05f};
+constexpr LampSettings kLamps{.max = 20, .min_share = 0.05f};  // more have no such share
 constexpr float kStrong = 0.2f;
+
+bool isSmall(const MapLamp& lamp) { return glm::degrees(lamp.angular_size_rad) <= kLamps.max_size_deg; }
+
+/// The strongest of a map's small lamps.
+std::vector<MapLamp> sunsOf(const EnvironmentMap& map) {
+  std::vector<MapLamp> suns = findLamps(map, wholeLight(map), kLamps);
+  std::erase_if(suns, [](const MapLamp& lamp) { return !isSmall(lamp); });
+  suns.resize(std::min(suns.size(), std::size_t(kMostSuns)));
+  return suns;
+}
 
 /// How many rows a panorama must have to show a disc.
 int rowsFor(float radius) {
   constexpr float kTexelsAcross = 4.0f;
-  constexpr float kMostRows = 8192.0f;
-  return static_cast<int>(std::min(glm::pi<float>() * kTexelsAcross / (2.0f * radius), kMostRows));
+  constexpr float kFinest = 8192.0f;
+  return static_cast<int>(std::min(glm::pi<float>() * kTexelsAcross / (2.0f * radius), kFinest));
 }
 
 }  // namespace
 
 Result<SunlessEnvironment> withoutSuns(const Environment& environment) {
   MIRRORBALL_TRY(map, searchedMap(environment));
-  SplitMap split = splitMap(std::move(map), kSuns);
+  const std::vector<MapLamp> found = sunsOf(map);
+  SplitMap split = splitLamps(std::move(map), found, glm::radians(kLamps.max_size_deg));
   if (split.taken.empty()) return SunlessEnvironment{environment, {}};
   std::vector<formula::Sun> suns;
   for (const MapLamp& lamp : takenLamps(split))
@@ -49,10 +61,8 @@ Environment withSuns(SunlessEnvironment split) {
 
 Result<bool> hasStrongSun(const Environment& environment) {
   MIRRORBALL_TRY(map, searchedMap(environment));
-  const std::vector<MapLamp> lamps = findLamps(map, wholeLight(map), kSuns);
-  return std::any_of(lamps.begin(), lamps.end(), [](const MapLamp& lamp) {
-    return lamp.share > kStrong && glm::degrees(lamp.angular_size_rad) <= kSuns.max_size_deg;
-  });
+  const std::vector<MapLamp> suns = sunsOf(map);
+  return !suns.empty() && suns.front().share > kStrong;
 }
 
 }  // namespace mirrorball

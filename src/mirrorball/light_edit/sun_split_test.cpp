@@ -68,6 +68,17 @@ TEST(SunSplit, OfManyTheStrongestStandApart) {
     EXPECT_GE(split->suns[i - 1].irradiance.y, split->suns[i].irradiance.y);
 }
 
+TEST(SunSplit, WindowsDoNotCrowdItOut) {
+  std::vector<MadeSun> lamps;
+  for (int i = 0; i < 5; ++i)
+    lamps.push_back({{std::sin(float(i)), 0.1f, std::cos(float(i))}, 8.0f, glm::vec3(200.0f)});
+  lamps.push_back({{0.0f, 1.0f, 0.2f}, 1.0f, glm::vec3(1.2e4f)});
+  const auto split = withoutSuns(skyWith(lamps));
+  ASSERT_TRUE(split);
+  ASSERT_THAT(split->suns, SizeIs(1));
+  EXPECT_GT(split->suns[0].towards.y, 0.9f);
+}
+
 TEST(SunSplit, StrongIsASmallLampWithAFifthOfTheLight) {
   const auto isStrong = [](float size_deg, float share) {
     // The sky's light is about 4π.

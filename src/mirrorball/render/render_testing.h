@@ -21,7 +21,7 @@ namespace mirrorball::testing {
 
 /// prepareEnvironment with a cache that lasts as long as this process: tests in the same light prefilter it once, which
 /// takes longer than to draw in it.
-inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
+inline Result<PreparedEnvironment> prepareOnce(const Environment& environment, SunKind sun = SunKind::map) {
   struct Folder {
     std::filesystem::path path =
         std::filesystem::path(::testing::TempDir()) / ("mirrorball_prepared_" + std::to_string(::getpid()));
@@ -33,7 +33,7 @@ inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
     }
   };
   static const Folder folder;
-  return prepareEnvironment(environment, CacheFolder(folder.path));
+  return prepareEnvironment(environment, CacheFolder(folder.path), {}, sun);
 }
 
 /// A built-in environment as a panorama of few rows has it, for tests that only compare pictures in the same light: the
@@ -68,8 +68,8 @@ inline Result<Renderer> rendererOf(Scene scene, Environment environment, const P
 }
 
 /// The same, in an environment that was prepared once; expected to be made.
-inline Renderer rendererFor(Scene scene, Environment environment) {
-  const auto prepared = prepareOnce(environment);
+inline Renderer rendererFor(Scene scene, Environment environment, SunKind sun = SunKind::map) {
+  const auto prepared = prepareOnce(environment, sun);
   auto renderer = rendererOf(std::move(scene), std::move(environment), *prepared);
   EXPECT_TRUE(renderer) << renderer.error().message;
   return std::move(*renderer);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -127,7 +126,6 @@ class AnswerPairs : public gl::GlTest {
     sunny_light_ = uneven_light_;
     sunny_light_.sun = SunKind::split;
     sunny_light_.suns = {{.towards = glm::normalize(glm::vec3(0.5f, 0.4f, 0.8f)), .irradiance = glm::vec3(1.0f)}};
-    sunny_light_.rest = std::make_shared<const Environment>(uneven_);
   }
 
   /// In the same light from everywhere, or in light that is nowhere dark.

@@ -10,8 +10,7 @@ namespace mirrorball {
 
 Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings& settings, const Camera& camera,
                                         const std::optional<CacheFolder>& cache) {
-  MIRRORBALL_TRY(form, light_->formFor(settings.sunShown(), cache, device_->context.filtersFloats()));
-  form_ = std::move(form);
+  MIRRORBALL_TRY_VOID(chooseForm(settings, cache));
   MIRRORBALL_TRY_VOID(placeProxy(staged, settings));
   const gl::Api api = device_->context.api();
   MIRRORBALL_TRY(chain, form_->prefilteredChain(api, settings.blur));
@@ -33,6 +32,20 @@ Result<LightUniforms> FrameLight::begin(StagedScene& staged, const FrameSettings
   return uniforms;
 }
 
+/// With suns in the map where one would shine out of the ground.
+Result<void> FrameLight::chooseForm(const FrameSettings& settings, const std::optional<CacheFolder>& cache) {
+  const bool filters_floats = device_->context.filtersFloats();
+  MIRRORBALL_TRY(form, light_->formFor(settings.sunShown(), cache, filters_floats));
+  const glm::mat3 world_from_environment = glm::transpose(settings.environmentFromWorld());
+  const auto isBelow = [&](const formula::Sun& sun) { return (world_from_environment * sun.towards).y <= 0.0f; };
+  if (settings.proxy.kind == ProxyKind::ground && std::any_of(form->suns().begin(), form->suns().end(), isBelow)) {
+    MIRRORBALL_TRY(of_map, light_->formFor(SunKind::map, cache, filters_floats));
+    form = std::move(of_map);
+  }
+  form_ = std::move(form);
+  return {};
+}
+
 Result<SunUniforms> FrameLight::placeSuns(StagedScene& staged, const FrameSettings& settings) {
   const glm::mat3 environment_from_world = settings.environmentFromWorld();
   SunUniforms placed;
@@ -42,15 +55,15 @@ Result<SunUniforms> FrameLight::placeSuns(StagedScene& staged, const FrameSettin
     placed.suns.push_back(sun);
   }
   const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
-  const std::pair wanted(ShadowOf{environment_from_world, scene, light_->version()}, sunShadowSide(settings.size));
+  const int side = sunShadowSide(settings.size, placed.suns.size(), device_->context.largestTexture());
+  const std::pair wanted(ShadowOf{environment_from_world, scene, light_->version(), light().unit()}, side);
   if (sun_shadows_of_ != wanted) {
     sun_shadows_of_.reset();
     if (!sun_shadows_) {
       MIRRORBALL_TRY(made, SunShadows::make(device_->context.api()));
       sun_shadows_ = std::move(made);
     }
-    MIRRORBALL_TRY_VOID(
-        sun_shadows_->draw(staged.scene(), staged.buffers(), placed.suns, staged.bounds(), wanted.second));
+    MIRRORBALL_TRY_VOID(sun_shadows_->draw(staged.scene(), staged.buffers(), placed.suns, staged.bounds(), side));
     sun_shadows_of_ = wanted;
   }
   placed.shadows = &sun_shadows_->picture();
@@ -72,7 +85,7 @@ Result<void> FrameLight::placeProxy(StagedScene& staged, const FrameSettings& se
 Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& environment_from_world) {
   constexpr int kLights = 256;
   const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
-  const ShadowOf wanted{environment_from_world, scene, light_->version()};
+  const ShadowOf wanted{environment_from_world, scene, light_->version(), light().unit()};
   if (shadow_of_ == wanted) return {};
   shadow_of_.reset();
   MIRRORBALL_TRY(sampler, light_->groundSampler());
@@ -91,8 +104,8 @@ Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& 
 }
 
 Result<void> FrameLight::makeSphereMap(const glm::mat3& environment_from_view) {
-  const int size = std::min(form_->environment().naturalSize(Projection::sphere), 2048);
-  Image image = sphereMapTexture(form_->environment(), environment_from_view, size);
+  const int size = std::min(light_->environment().naturalSize(Projection::sphere), 2048);
+  Image image = sphereMapTexture(light_->environment(), environment_from_view, size);
   for (float& light_sample : image.samples()) light_sample /= light().unit();
   const gl::Format format = light().cube().format();
   MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));

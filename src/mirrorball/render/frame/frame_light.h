@@ -47,8 +47,10 @@ class FrameLight {
     glm::mat3 environment_from_world;
     std::uint64_t scene;
     std::uint64_t environment;
+    float unit;  ///< of its cubes
     bool operator==(const ShadowOf&) const = default;
   };
+  Result<void> chooseForm(const FrameSettings& settings, const std::optional<CacheFolder>& cache);
   /// Puts the form's suns into the world, and draws what hides them.
   ///
   /// errors   unsupported; too_large; no_gl

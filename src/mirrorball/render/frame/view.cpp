@@ -80,6 +80,7 @@ LightCost View::lightCost() const {
   if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
   if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
   if (on.frame.probes) cost.texture_bytes += on.probes.bytes();
+  if (const gl::Texture* shadows = on.frame.light.suns.shadows) cost.texture_bytes += shadows->bytes();
   if (reads.sphere_map > 0) cost.texture_bytes += on.light.sphereMap().bytes();
   return cost;
 }

@@ -118,7 +118,6 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment, c
   MIRRORBALL_TRY(prepared, withCubes(split.rest, cache, progress));
   prepared.sun = sun;
   prepared.suns = std::move(split.suns);
-  if (!prepared.suns.empty()) prepared.rest = std::make_shared<const Environment>(std::move(split.rest));
   return Result<PreparedEnvironment>(std::move(prepared));
 }
 

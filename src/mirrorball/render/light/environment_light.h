@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,7 +26,6 @@ struct PreparedEnvironment {
   SunKind sun = SunKind::map;
   /// Those that are not in the cubes; empty: the environment has none, or they are in the map.
   std::vector<formula::Sun> suns = {};
-  std::shared_ptr<const Environment> rest = {};  ///< where there are some: what the cubes are of
 };
 
 /// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so

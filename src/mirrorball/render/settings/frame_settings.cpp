@@ -367,9 +367,11 @@ int lobesOf(const FrameSettings& settings) {
   return is_prefiltered ? kLobes[static_cast<std::size_t>(settings.lobe_taps)] : 1;
 }
 
-SunKind FrameSettings::sunShown() const {
+bool FrameSettings::canSplitSuns() const {
   const bool is_far = proxy.kind == ProxyKind::none || proxy.kind == ProxyKind::ground;
-  return is_far ? sun : SunKind::map;
+  const bool is_reflected = mapping == Mapping::reflection && reflect_at == ReflectAt::fragment &&
+                            texgen == Texgen::none && texture_matrix == glm::mat4(1.0f);
+  return is_far && is_reflected;
 }
 
 glm::mat3 FrameSettings::environmentFromWorld() const {

@@ -129,8 +129,11 @@ struct FrameSettings {
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;
-  /// Where its suns are: on a proxy, which is near, they are no directions and stay in the map.
-  SunKind sunShown() const;
+  /// Whether suns may stand apart: on a near proxy they are no directions, and other coordinates than those of the
+  /// reflected ray show them elsewhere.
+  bool canSplitSuns() const;
+  /// Where they are.
+  SunKind sunShown() const { return canSplitSuns() ? sun : SunKind::map; }
   /// Whether the environment is seen behind everything, sharp or blurred.
   bool showsEnvironment() const {
     return background == BackgroundKind::environment || background == BackgroundKind::blur;

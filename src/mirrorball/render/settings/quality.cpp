@@ -31,11 +31,8 @@ constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-refle
 /// How light is followed where not all of it is.
 constexpr auto kRefractsOtherwise = std::to_array<std::string_view>({"refraction"});
 
-/// They put the light near, where a sun is no direction.
-constexpr auto kPlacesLight = std::to_array<std::string_view>({"proxy"});
-
 constexpr auto kChoices = std::to_array<QualityChoice>({
-    {.option = "sun", .values = {"", "split", "split"}, .suits = hasStrongSun, .left_to = kPlacesLight},
+    {.option = "sun", .values = {"", "split", "split"}, .suits = hasStrongSun},
     {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},
     {.option = "inner-bounces", .values = {"", "", "8"}, .suits = letsLightThrough, .left_to = kRefractsOtherwise},
     {.option = "behind", .values = {"", "screen", "screen"}, .suits = letsLightThrough},
@@ -115,6 +112,7 @@ std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<st
     if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, saying))
       continue;
     if (choice.option == "probe-bounces" && settings.probes == 0) continue;
+    if (choice.option == "sun" && !settings.canSplitSuns()) continue;
     const auto option = findBy(frameOptions(), choice.option, [](const auto& each) { return each.text.name; });
     if (option == frameOptions().end() || !assign(*option, settings, value)) continue;
     chosen += (chosen.empty() ? "" : " ") + asGiven(*option, value);

@@ -61,7 +61,14 @@ TEST(Quality, AStrongSunThrowsShadows) {
   EXPECT_EQ(filledIn(Quality::good, sunny).sun, SunKind::split);
   EXPECT_EQ(filledIn(Quality::good, {}).sun, SunKind::map);
   EXPECT_EQ(filledIn(Quality::draft, sunny).sun, SunKind::map);
-  EXPECT_EQ(filledIn(Quality::good, sunny, {"proxy"}).sun, SunKind::map);
+  FrameSettings near;
+  near.proxy.kind = ProxyKind::sphere;
+  EXPECT_EQ(filledIn(Quality::good, sunny, {"proxy"}, near).sun, SunKind::map);
+  near.proxy.kind = ProxyKind::ground;
+  EXPECT_EQ(filledIn(Quality::good, sunny, {"proxy"}, near).sun, SunKind::split);
+  FrameSettings mapped;
+  mapped.mapping = Mapping::normal;
+  EXPECT_EQ(filledIn(Quality::good, sunny, {"mapping"}, mapped).sun, SunKind::map);
   EXPECT_TRUE(dependsOnSun(Quality::good, {}, {}));
   EXPECT_FALSE(dependsOnSun(Quality::good, {"sun"}, {}));
   EXPECT_FALSE(dependsOnSun(Quality::draft, {}, {}));

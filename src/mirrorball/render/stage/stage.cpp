@@ -109,9 +109,8 @@ Result<StageWork> Stage::workFor(const FrameSettings& settings, bool picks) cons
                        .means = state_->means(),
                        .version = forms.version()});
   if (known) work->known = known->rows();
-  if (settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler()) {
+  if (settings.proxy.kind == ProxyKind::ground && light.has() && !light.hasGroundSampler())
     work->environment = light.sharedEnvironment();
-  }
   if (light.has() && !light.hasForm(settings.sunShown())) work->lacks_cubes = light.sharedEnvironment();
   work->light_version = light.version();
   return StageWork(std::move(work));

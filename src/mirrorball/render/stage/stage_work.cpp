@@ -93,7 +93,8 @@ Result<void> makeGroundShadow(State& state) {
 
 Result<void> makeCubes(State& state) {
   if (!lacksCubes(state)) return {};
-  MIRRORBALL_TRY(made, prepareEnvironment(*state.lacks_cubes, state.means.cache, {}, state.settings.sunShown()));
+  MIRRORBALL_TRY(
+      made, prepareEnvironment(*state.lacks_cubes, state.means.cache, state.means.progress, state.settings.sunShown()));
   state.cubes = std::move(made);
   return {};
 }
@@ -111,6 +112,7 @@ Result<void> StageWork::run(const ProgressFunction& progress) {
   state.means.progress = partOf(progress, 0, kOfForm, kAll);
   MIRRORBALL_TRY_VOID(makeForm(state));
   std::size_t done = kOfForm;
+  state.means.progress = [&](std::size_t, std::size_t) { return !progress || progress(done, kAll); };
   for (const auto make : {makePrisms, makeBodies, makeTriangles, makeRays, makeGroundShadow, makeCubes}) {
     if (progress && !progress(done, kAll)) return fail(ErrorCode::interrupted, "interrupted");
     MIRRORBALL_TRY_VOID(make(state));

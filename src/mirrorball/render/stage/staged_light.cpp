@@ -41,11 +41,15 @@ Result<void> StagedLight::set(Environment environment, const PreparedEnvironment
 }
 
 Result<void> StagedLight::takeForm(const PreparedEnvironment& prepared, bool filters_floats) {
-  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
-  auto form = std::make_shared<LightForm>(prepared.suns.empty() ? environment_ : prepared.rest, std::move(light),
-                                          prepared.suns);
-  if (prepared.sun == SunKind::split && prepared.suns.empty()) forms_[static_cast<std::size_t>(SunKind::map)] = form;
-  forms_[static_cast<std::size_t>(prepared.sun)] = std::move(form);
+  std::shared_ptr<LightForm>& map = forms_[static_cast<std::size_t>(SunKind::map)];
+  std::shared_ptr<LightForm>& split = forms_[static_cast<std::size_t>(SunKind::split)];
+  const bool has_none = prepared.sun == SunKind::split && prepared.suns.empty();
+  if (!has_none || !map) {
+    MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
+    auto form = std::make_shared<LightForm>(std::move(light), prepared.suns);
+    (prepared.sun == SunKind::split && !has_none ? split : map) = std::move(form);
+  }
+  if (has_none) split = map;
   return {};
 }
 

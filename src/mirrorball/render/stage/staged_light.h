@@ -31,11 +31,9 @@ Result<LightSampler> makeGroundSampler(const Environment& environment, const Pro
 /// An environment's cubes on the GPU, with its suns or without them, and what is computed from the cubes for all views.
 class LightForm {
  public:
-  /// environment   that the cubes are of
-  LightForm(std::shared_ptr<const Environment> environment, EnvironmentLight light, std::vector<formula::Sun> suns)
-      : environment_(std::move(environment)), light_(std::move(light)), suns_(std::move(suns)) {}
+  LightForm(EnvironmentLight light, std::vector<formula::Sun> suns)
+      : light_(std::move(light)), suns_(std::move(suns)) {}
 
-  const Environment& environment() const { return *environment_; }
   const EnvironmentLight& light() const { return light_; }
   /// Those that are not in the cubes.
   const std::vector<formula::Sun>& suns() const { return suns_; }
@@ -50,7 +48,6 @@ class LightForm {
   Result<const FlatLight*> flatLight(gl::Api api, BlurKind blur);
 
  private:
-  std::shared_ptr<const Environment> environment_;
   EnvironmentLight light_;
   std::vector<formula::Sun> suns_;
   std::optional<GpuPrefilter> gpu_prefilter_;

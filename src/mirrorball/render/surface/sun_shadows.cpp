@@ -28,9 +28,10 @@ glm::mat4 clipFromWorld(const formula::Sun& sun, const BoundingSphere& bounds) {
 
 }  // namespace
 
-int sunShadowSide(glm::ivec2 size_px) {
+int sunShadowSide(glm::ivec2 size_px, std::size_t suns, int longest) {
   const auto wanted = static_cast<unsigned>(std::max(size_px.x, size_px.y)) * 3 / 2;
-  return std::clamp(static_cast<int>(std::bit_ceil(wanted)), 256, 4096);
+  const int most = suns == 1 ? 4096 : 2048;
+  return std::min(std::clamp(static_cast<int>(std::bit_ceil(wanted)), 256, most), longest / static_cast<int>(suns));
 }
 
 Result<SunShadows> SunShadows::make(gl::Api api) {
@@ -43,6 +44,9 @@ Result<void> SunShadows::draw(const Scene& scene, SceneBuffers& buffers, std::sp
                               const BoundingSphere& bounds, int side_px) {
   const glm::ivec2 size(side_px * static_cast<int>(suns.size()), side_px);
   MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba8, size, gl::Depths::alone));
+  // What was drawn last may have read the picture there.
+  glActiveTexture(GL_TEXTURE0 + kFreeUnit);
+  glBindTexture(GL_TEXTURE_2D, 0);
   framebuffer_->bind();
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);

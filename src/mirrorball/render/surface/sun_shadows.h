@@ -47,7 +47,10 @@ class SunShadows {
   std::vector<glm::vec4> rows_;
 };
 
-/// The side of a sun's picture for a picture of that size: a scene that fills it has texels smaller than its pixels.
-int sunShadowSide(glm::ivec2 size_px);
+/// The side of each sun's picture for a picture of that size: of one, a scene that fills it has texels smaller than its
+/// pixels.
+///
+/// longest   side of a texture that the driver takes
+int sunShadowSide(glm::ivec2 size_px, std::size_t suns, int longest);
 
 }  // namespace mirrorball

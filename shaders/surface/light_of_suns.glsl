@@ -12,6 +12,7 @@ struct SunsSeen {
 };
 
 SunsSeen suns_at_point;
+SunsSeen suns_on_mesh;
 
 SunsSeen sunsSeen(vec3 place, vec3 up) {
   SunsSeen seen;
@@ -29,7 +30,8 @@ void meetSuns(SurfacePoint point) {
   vec3 up = seesFront() ? point.normal : -point.normal;
   for (int i = 0; i < SUN_COUNT; ++i) {
     vec3 towards = sunAt(i).towards;
-    suns_at_point.share[i] = sunShare(i, placeAboveRelief(point, towards), up) * lightThatArrives(point, towards);
+    suns_on_mesh.share[i] = sunShare(i, placeAboveRelief(point, towards), up);
+    suns_at_point.share[i] = suns_on_mesh.share[i] * lightThatArrives(point, towards);
   }
 }
 

@@ -59,7 +59,8 @@ vec3 litByEnvironment(Surface s, SurfacePoint point, vec3 transmitted, vec3 on_c
   SkyShare sky = skyShare(ground, h, point, s.normal);
   float lobe = lobeOverHorizons(ground, h, s.normal, reflect(point.ray, s.normal),
                                 alphaFromPerceptualRoughness(s.material.perceptual_roughness));
-  vec3 relief = lightOfRelief(s, sky.irradiance, irradiance * sky.light / max(sky.irradiance, 1e-3));
+  vec3 on_relief = irradiance * sky.light / max(sky.irradiance, 1e-3) + irradianceOfSuns(point.normal, suns_on_mesh);
+  vec3 relief = lightOfRelief(s, sky.irradiance, on_relief);
   vec3 hidden = (1.0 - sky.irradiance) * relief;
   return shadedByEnvironment(s, mix(relief, reflected, lobe), transmitted, irradiance * sky.light + hidden,
                              on_cloth * sky.light + hidden);

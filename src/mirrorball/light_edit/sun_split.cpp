@@ -7,6 +7,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "formula/color.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/light_edit/lamp_search.h"
 #include "mirrorball/light_edit/lamp_split.h"
 
@@ -19,11 +21,30 @@ constexpr float kStrong = 0.2f;
 bool isSmall(const MapLamp& lamp) { return glm::degrees(lamp.angular_size_rad) <= kLamps.max_size_deg; }
 
 /// The strongest of a map's small lamps.
-std::vector<MapLamp> sunsOf(const EnvironmentMap& map) {
-  std::vector<MapLamp> suns = findLamps(map, wholeLight(map), kLamps);
+///
+/// all   wholeLight of it
+std::vector<MapLamp> sunsOf(const EnvironmentMap& map, glm::vec3 all) {
+  std::vector<MapLamp> suns = findLamps(map, all, kLamps);
   std::erase_if(suns, [](const MapLamp& lamp) { return !isSmall(lamp); });
   suns.resize(std::min(suns.size(), std::size_t(kMostSuns)));
   return suns;
+}
+
+/// Whether a lamp as bright as the brightest texel could have enough of the light, found without looking for it.
+bool isBrightEnough(const EnvironmentMap& map, glm::vec3 all) {
+  const float widest_rad = 2.0f * glm::radians(kLamps.max_size_deg);  // the mean size of one that fades is smaller
+  const float widest_sr = glm::pi<float>() * widest_rad * widest_rad / 4.0f;
+  float brightest = 0.0f;
+  for (int face = 0; face < map.faces(); ++face)
+    for (const float sample : map.face(face).samples()) brightest = std::max(brightest, sample);
+  return brightest * widest_sr > kStrong * formula::luminance(all);
+}
+
+bool hasStrongSunIn(const EnvironmentMap& map) {
+  const glm::vec3 all = wholeLight(map);
+  if (!isBrightEnough(map, all)) return false;
+  const std::vector<MapLamp> suns = sunsOf(map, all);
+  return !suns.empty() && suns.front().share > kStrong;
 }
 
 /// How many rows a panorama must have to show a disc.
@@ -37,7 +58,7 @@ int rowsFor(float radius) {
 
 Result<SunlessEnvironment> withoutSuns(const Environment& environment) {
   MIRRORBALL_TRY(map, searchedMap(environment));
-  const std::vector<MapLamp> found = sunsOf(map);
+  const std::vector<MapLamp> found = sunsOf(map, wholeLight(map));
   SplitMap split = splitLamps(std::move(map), found, glm::radians(kLamps.max_size_deg));
   if (split.taken.empty()) return SunlessEnvironment{environment, {}};
   std::vector<formula::Sun> suns;
@@ -60,9 +81,13 @@ Environment withSuns(SunlessEnvironment split) {
 }
 
 Result<bool> hasStrongSun(const Environment& environment) {
-  MIRRORBALL_TRY(map, searchedMap(environment));
-  const std::vector<MapLamp> suns = sunsOf(map);
-  return !suns.empty() && suns.front().share > kStrong;
+  const EnvironmentMap* map = environment.map();
+  if (map != nullptr && (map->projection() == Projection::equirect || map->projection() == Projection::cube))
+    return hasStrongSunIn(*map);
+  constexpr int kRows = 256;
+  MIRRORBALL_TRY(coarse, convert(environment, Projection::equirect,
+                                 std::min(environment.naturalSize(Projection::equirect), kRows)));
+  return hasStrongSunIn(coarse);
 }
 
 }  // namespace mirrorball

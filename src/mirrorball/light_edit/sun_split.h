@@ -32,7 +32,8 @@ Environment withSuns(SunlessEnvironment split);
 /// Whether a sun has more than a fifth of an environment's light, so that its shadows are seen.
 ///
 /// environment, errors   as withoutSuns'
-/// cost                  as findLamps', and that of a panorama where withoutSuns makes one
+/// cost                  as wholeLight's, and where something is bright enough, findLamps'; of what is no panorama and
+///                       no cube, a panorama of 256 rows, too
 Result<bool> hasStrongSun(const Environment& environment);
 
 }  // namespace mirrorball

@@ -14,6 +14,6 @@ vec3 coated(Surface s, SurfacePoint point, vec3 light) {
   Surface coat = coatOf(s, point.ray, n, anyTangent(n),
                         environmentBrdf(brdf_table, s.material.clearcoat_roughness, cosine));
   vec3 shown =
-      litByEnvironment(coat, point, vec3(0.0), vec3(0.0)) + lightOfLamps(coat, point) + lightOfSuns(coat, point);
+      litByEnvironment(coat, point, vec3(0.0), vec3(0.0)) + lightOfLamps(coat, point) + reflectedSuns(coat, point);
   return underCoat(coat, share, light, shown);
 }

@@ -7,6 +7,8 @@
 #include "lamp_shading.glsl"
 #include "sun_shading.glsl"
 
+const bool kHasSuns = true;
+
 struct SunsSeen {
   float share[SUN_COUNT];
 };

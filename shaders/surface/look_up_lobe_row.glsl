@@ -6,3 +6,5 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
   return lightOfRow(s, point, d, patchOf(dFdx(d), dFdy(d)));
 }
+
+#include "suns_on_one_lobe.glsl"

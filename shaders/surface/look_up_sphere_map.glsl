@@ -6,3 +6,5 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec4 st = look_up_matrix * lookUpCoordinates(point, s.normal);
   return environment_intensity * textureLod(sphere_map, st.xy / st.w, 0.0).xyz;
 }
+
+#include "suns_on_one_lobe.glsl"

@@ -9,23 +9,52 @@ const float kReadOfStratum = 0.25;
 // A lobe that they widen less than that is read at once.
 const float kFeltWidening = 1.05;
 
+bool hidesBumps(Surface s) { return s.material.perceptual_roughness > kFeltWidening * s.own_roughness; }
+
+// Of the surface without its bumps, of which the strata tell: what they do from pixel to pixel is no blur.
+float footprintOfStratum(SurfacePoint point) {
+  vec3 smooth_d = lookUpDirection(point, point.normal);
+  return sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kStrata));
+}
+
+struct Stratum {
+  SurfacePoint point;
+  vec3 normal;
+  float perceptual_roughness;
+};
+
+Stratum stratumAt(Surface s, SurfacePoint point, int i) {
+  ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
+  vec2 inside = placeInStratum(i, gridRandom(sample_place).xy);
+  SurfacePoint part = stratumOf(point, inside, kReadOfStratum / float(kStrataAcross));
+  vec3 n = detailedNormal(part, smoothNormal(part));
+  return Stratum(part, facingNormal(seesFront() ? n : -n, point.ray),
+                 widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)));
+}
+
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
   Patch area = patchOf(dFdx(d), dFdy(d));
-  // Of the surface without its bumps, of which the strata tell: what they do from pixel to pixel is no blur.
-  vec3 smooth_d = lookUpDirection(point, point.normal);
-  float footprint = sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kStrata));
-  if (s.material.perceptual_roughness <= kFeltWidening * s.own_roughness)
-    return lightOfRow(s, point, d, area);
-  ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
-  vec2 random = gridRandom(sample_place).xy;
+  float footprint = footprintOfStratum(point);
+  if (!hidesBumps(s)) return lightOfRow(s, point, d, area);
   vec3 light = vec3(0.0);
   for (int i = 0; i < kStrata; ++i) {
-    SurfacePoint part = stratumOf(point, placeInStratum(i, random), kReadOfStratum / float(kStrataAcross));
-    vec3 n = detailedNormal(part, smoothNormal(part));
-    n = facingNormal(seesFront() ? n : -n, point.ray);
-    light += lightOfLobe(point.position, lookUpDirection(part, n),
-                         widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)), footprint);
+    Stratum part = stratumAt(s, point, i);
+    light += lightOfLobe(point.position, lookUpDirection(part.point, part.normal), part.perceptual_roughness,
+                         footprint);
+  }
+  return light / float(kStrata);
+}
+
+vec3 reflectedSuns(Surface s, SurfacePoint point) {
+  float footprint = footprintOfStratum(point);
+  if (!kHasSuns || !hidesBumps(s)) return lightOfSuns(s, point);
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < kStrata; ++i) {
+    Stratum part = stratumAt(s, point, i);
+    s.normal = part.normal;
+    s.material.perceptual_roughness = part.perceptual_roughness;
+    light += litBySuns(s, point.ray, suns_at_point, footprint);
   }
   return light / float(kStrata);
 }

@@ -23,3 +23,5 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   }
   return weight > 0.0 ? light / weight : vec3(0.0);
 }
+
+#include "suns_on_one_lobe.glsl"

@@ -1,4 +1,5 @@
 // Part "suns": the light of suns that stand apart from the environment's map (formula/sun.glsl).
+//   const bool kHasSuns
 //   struct SunsSeen                                  how much of each is seen from a place
 //   SunsSeen sunsSeen(vec3 place, vec3 up)           up: unit, of the surface there
 //   SunsSeen allSuns()                               from where nothing hides them
@@ -9,6 +10,8 @@
 //   vec3 irradianceOfSuns(vec3 n, SunsSeen seen)     on a surface with the normal n, divided by π
 //   vec3 sunsAlong(vec3 origin, vec3 d, float perceptual_roughness, float footprint)      as incomingLight's
 // Here: there are none.
+
+const bool kHasSuns = false;
 
 struct SunsSeen {
   float share;

@@ -47,6 +47,6 @@ void main() {
   meetSuns(point);
   vec3 light = litByEnvironment(s, point, transmittedLight(s, point), lightOnCloth(s, point));
   setDepth(point);
-  light += lightOfLamps(s, point) + lightOfSuns(s, point);
+  light += lightOfLamps(s, point) + reflectedSuns(s, point);
   fragment = shownAs(coated(s, point, light), color.w);
 }

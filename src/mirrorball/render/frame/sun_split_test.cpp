@@ -232,6 +232,30 @@ TEST_P(SunSplitFrame, ReliefLiesInNoShadowOfItsMesh) {
   }
 }
 
+TEST_P(SunSplitFrame, BumpsThatHideInAPixelKeepTheirHighlight) {
+  Material pits = materialNamed("orange").value();
+  pits.base_color = glm::vec3(0.0f);
+  Scene scene = ballOf(pits);
+  ASSERT_TRUE(prepareRelief(scene, ReliefKind::steep));
+  const auto imageBy = [&](int samples) {
+    return imageOf(scene, SunKind::split, [samples](FrameSettings& frame) {
+      frame.relief = ReliefKind::steep;
+      frame.samples = samples;
+    });
+  };
+  const auto highlightOf = [](const Image& image) {
+    const glm::vec3 facing = glm::normalize(kTowards + glm::vec3(0.0f, 0.0f, 1.0f));
+    float sum = 0.0f;
+    for (int y = -3; y <= 3; ++y)
+      for (int x = -3; x <= 3; ++x) sum += at(image, glm::vec2(facing) + 0.04f * glm::vec2(x, y));
+    return sum;
+  };
+  const Image few = imageBy(4);
+  const Image many = imageBy(128);  // of which each sees a pit as it is
+  EXPECT_NEAR(highlightOf(few) / highlightOf(many), 1.0f, 0.1f);
+  EXPECT_NEAR(meanOf(few) / meanOf(many), 1.0f, 0.04f);
+}
+
 TEST_P(SunSplitFrame, AStageShowsBothInTurns) {
   Renderer renderer = testing::rendererFor(ballOf(metal(0.3f)), sunnySky());
   const Image map = drawn(renderer, frameOf(renderer, SunKind::map));

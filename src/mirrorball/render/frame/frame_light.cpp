@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mirrorball/render/light/ground_caustics.h"
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
 
@@ -98,6 +99,13 @@ Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& 
   }
   const GroundLights lights = groundLights(light_->environment(), *sampler, environment_from_world, kLights);
   ground_shadow_->draw(staged.scene(), staged.bounds(), proxy_.proxy(), lights);
+  if (hasCaustics(staged.scene())) {
+    MIRRORBALL_TRY(rays, staged.rays());
+    const Image caustics = groundCaustics(
+        {staged.scene(), rays->geometry, staged.boxes()}, {light_->environment(), *sampler, environment_from_world},
+        proxy_.proxy().ground, GroundShadow::areaAround(staged.bounds()), GroundShadow::kSize);
+    MIRRORBALL_TRY_VOID(ground_shadow_->addLight(caustics));
+  }
   proxy_.setShadow(*ground_shadow_, lights.irradiance / light().unit());
   shadow_of_ = wanted;
   return {};

@@ -191,6 +191,29 @@ TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
   }
 }
 
+// A body that does not bend light hides nothing of the ground: what its shadow lacks, rays bring.
+TEST_F(ProxyTest, ABodyLikeAirThrowsNoShadow) {
+  const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
+  Material air;
+  air.base_color = glm::vec3(1.0f);
+  air.transmission = 1.0f;
+  air.ior = 1.0f;
+  air.perceptual_roughness = 0.0f;
+  FrameSettings settings;
+  settings.size = {64, 64};
+  settings.samples = 1;
+  settings.resolve = Resolve::radiance;
+  settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 90.0f, .distance = 8.0f, .orthographic_height = 8.0f};
+  testing::set(settings, "proxy", "ground:2");
+  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, air), white, settings);
+  double sum = 0.0;
+  for (int x = 40; x < 64; ++x) {
+    EXPECT_NEAR(image.texel(x, 32)[1], 1.0f, 0.15f) << x;
+    sum += double(image.texel(x, 32)[1]);
+  }
+  EXPECT_NEAR(sum / 24.0, 1.0, 0.03);
+}
+
 // Light passes the backs of what has only a front, in whatever direction it goes: as on the way to the eye.
 TEST_F(ProxyTest, ASheetThrowsAShadowWhereTheGroundSeesItsFront) {
   const auto white = [] { return Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64); };

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "formula/bsdf.h"
 #include "formula/grid_random.h"
-#include "formula/prefilter.h"
 #include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball {
 namespace {
 
-/// The share of light that a material lets through straight on: of glass, what two surfaces do not reflect.
+/// The share of light that a material lets through straight on: of thin glass, what two surfaces do not reflect.
 glm::vec3 straightThrough(const Material& material) {
-  if (material.transmission <= 0.0f) return glm::vec3(0.0f);
+  if (material.transmission <= 0.0f || isBody(material)) return glm::vec3(0.0f);
   const float reflected = formula::fresnelDielectric(1.0f, material.ior);
   return material.transmission * (1.0f - reflected) * (1.0f - reflected) * material.base_color;
 }
@@ -21,36 +21,16 @@ glm::vec3 straightThrough(const Material& material) {
 /// Whether light passes the backs of its triangles, as the eye does.
 bool hasFrontsAlone(const Material& material) { return !material.double_sided && material.transmission <= 0.0f; }
 
-/// The instances, what is solid before glass: the first that is drawn decides.
-std::vector<std::size_t> solidFirst(const Scene& scene) {
+/// The instances, what lets no light through straight on before what does: the first that is drawn decides.
+std::vector<std::size_t> darkestFirst(const Scene& scene) {
   std::vector<std::size_t> order(scene.instances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t i) { return materialOf(scene, i).transmission <= 0.0f; });
+                        [&](std::size_t i) { return straightThrough(materialOf(scene, i)) == glm::vec3(0.0f); });
   return order;
 }
 
 }  // namespace
-
-GroundLights groundLights(const Environment& environment, const LightSampler& sampler,
-                          const glm::mat3& environment_from_world, int count) {
-  GroundLights ground;
-  const int tried = 16 * count;  // of an environment whose light is mostly below
-  int last = 0;
-  for (int i = 0; i < tried && int(ground.lights.size()) < count; ++i) {
-    last = i + 1;
-    const LightSample light = sampler.sample(formula::evenPoint(glm::vec2(0.5f), float(i)));
-    const glm::vec3 direction = glm::normalize(glm::transpose(environment_from_world) * light.direction);
-    constexpr float kLeastHeight = 0.02f;  // of light along the ground, whose shadows are endless
-    if (light.pdf <= 0.0f || direction.y < kLeastHeight) continue;
-    ground.lights.push_back({direction, environment.radiance(light.direction) * (direction.y / light.pdf)});
-  }
-  glm::vec3 sum(0.0f);
-  for (const GroundLight& light : ground.lights) sum += light.share;
-  for (GroundLight& light : ground.lights) light.share /= glm::max(sum, glm::vec3(1e-20f));
-  ground.irradiance = sum / (formula::kPi * float(std::max(last, 1)));
-  return ground;
-}
 
 std::vector<CoarseMesh> shadowCasters(const Scene& scene) {
   constexpr std::size_t kTriangles = 1000;
@@ -61,11 +41,12 @@ std::vector<CoarseMesh> shadowCasters(const Scene& scene) {
 
 Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMesh>& casters) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
+  MIRRORBALL_TRY(add, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, gl::Depths::alone));
   if (format == gl::Format::rgba32f) framebuffer.filterSingleFloats();
-  GroundShadow shadow(std::move(program), std::move(framebuffer));
+  GroundShadow shadow(std::move(program), std::move(add), std::move(framebuffer));
   for (const CoarseMesh& coarse : casters) {
     constexpr gl::Attribute kPosition{0, 3, 0};
     shadow.casters_.push_back(
@@ -75,9 +56,31 @@ Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMes
   return Result<GroundShadow>(std::move(shadow));
 }
 
+glm::vec3 GroundShadow::areaAround(const BoundingSphere& bounds) {
+  return {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
+}
+
+Result<void> GroundShadow::addLight(const Image& caustics) {
+  MIRRORBALL_TRY(picture, gl::Texture::fromImages(gl::Format::rgba32f, ImageSet(caustics)));
+  framebuffer_.bind();
+  gl::drawOverAll();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glBlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+  picture.bind(0);
+  add_.set("picture", 0);
+  add_.set("share", 1.0f);
+  add_.set("as_displayed", 0.0f);
+  add_.use();
+  screen_.draw(3);
+  glBlendEquation(GL_FUNC_ADD);
+  glDisable(GL_BLEND);
+  return {};
+}
+
 void GroundShadow::draw(const Scene& scene, const BoundingSphere& bounds, const Proxy& ground,
                         const GroundLights& lights) {
-  area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
+  area_ = areaAround(bounds);
   framebuffer_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -89,7 +92,7 @@ void GroundShadow::draw(const Scene& scene, const BoundingSphere& bounds, const 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   program_.set("ground", ground.ground);
-  const std::vector<std::size_t> order = solidFirst(scene);
+  const std::vector<std::size_t> order = darkestFirst(scene);
   const auto count = static_cast<float>(lights.lights.size());
   float drawn = 0.0f;
   for (const GroundLight& light : lights.lights) {

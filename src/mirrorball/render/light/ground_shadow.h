@@ -6,35 +6,16 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/light/ground_light.h"
 #include "mirrorball/scene/coarse_mesh.h"
 #include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball {
-
-/// A direction that light comes from, and what part of a level ground's irradiance it stands for.
-struct GroundLight {
-  glm::vec3 direction{0.0f};  ///< world, unit, upwards
-  glm::vec3 share{0.0f};      ///< of all such lights it is 1
-};
-
-/// What lights a level ground: directions chosen by the environment's light, as many of them at a sun as it has of the
-/// light.
-struct GroundLights {
-  std::vector<GroundLight> lights;
-  glm::vec3 irradiance{0.0f};  ///< divided by π
-};
-
-/// Chooses them; the same for the same environment.
-///
-/// environment_from_world   turns it
-GroundLights groundLights(const Environment& environment, const LightSampler& sampler,
-                          const glm::mat3& environment_from_world, int count);
 
 /// The shapes of a scene's meshes, each by few triangles: enough for their shadows.
 ///
@@ -53,22 +34,32 @@ class GroundShadow {
   /// errors   unsupported, no_gl
   static Result<GroundShadow> make(gl::Api api, const std::vector<CoarseMesh>& casters);
 
-  /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid. Of
-  /// surfaces that have a front alone, that is what throws it.
+  /// Thin glass lets through what it lets through straight on, bodies of it nothing (groundCaustics); what is cut away
+  /// or blended is taken as solid. Of surfaces that have a front alone, that is what throws it.
   ///
   /// scene    of the same meshes
   /// bounds   of it
   /// cost     one pass over the few triangles for each light
   void draw(const Scene& scene, const BoundingSphere& bounds, const Proxy& ground, const GroundLights& lights);
 
-  /// Red, green, blue: the share that is missing; beyond it none is.
+  /// Adds light that comes by other ways.
+  ///
+  /// caustics  kSize texels to each side, of areaAround
+  /// errors    too_large
+  Result<void> addLight(const Image& caustics);
+
+  /// The middle of the picture of a scene, x and z in the world, and half of its side.
+  static glm::vec3 areaAround(const BoundingSphere& bounds);
+
+  /// Red, green, blue: the share that is missing, less than 0 where there is more light than without the scene; beyond
+  /// it none is.
   const gl::Texture& picture() const { return framebuffer_.color(); }
   /// The middle of the picture, x and z in the world, and half of its side.
   glm::vec3 area() const { return area_; }
 
  private:
-  GroundShadow(gl::Program program, gl::Framebuffer framebuffer)
-      : program_(std::move(program)), framebuffer_(std::move(framebuffer)) {}
+  GroundShadow(gl::Program program, gl::Program add, gl::Framebuffer framebuffer)
+      : program_(std::move(program)), add_(std::move(add)), framebuffer_(std::move(framebuffer)) {}
 
   struct Caster {
     gl::VertexArray vertices;
@@ -76,6 +67,8 @@ class GroundShadow {
   };
 
   gl::Program program_;
+  gl::Program add_;
+  gl::VertexArray screen_;
   gl::Framebuffer framebuffer_;
   std::vector<Caster> casters_;  // of Scene::meshes
   glm::vec3 area_{0.0f, 0.0f, 1.0f};

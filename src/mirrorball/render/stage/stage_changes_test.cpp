@@ -319,6 +319,22 @@ TEST_P(StageChangesTest, WorkMakesWhatAShadowAndPickingNeed) {
   EXPECT_FALSE(again->state().made.casters || again->state().made.rays || again->state().ground_sampler);
 }
 
+TEST_P(StageChangesTest, WorkMakesTheRaysThatGlassLightsAGroundBy) {
+  Scene scene = paintedBalls();
+  for (Material& material : scene.materials) material.transmission = 1.0f;
+  ASSERT_TRUE(stage().setScene(scene));
+  FrameSettings on_ground = smallFrame();
+  on_ground.proxy.kind = ProxyKind::ground;
+  const std::vector<float> truth = pictureOfNewDevice(on_ground);
+  Result<StageWork> work = stage().workFor(on_ground);
+  ASSERT_TRUE(work);
+  ASSERT_TRUE(work->run());
+  ASSERT_TRUE(stage().take(std::move(*work)));
+  EXPECT_TRUE(forms().find(preparationFor(on_ground))->rows().rays);
+  View view(stage());
+  EXPECT_EQ(pictureOf(view, on_ground), truth);
+}
+
 TEST_P(StageChangesTest, WorkOfAnotherEnvironmentLeavesItsLight) {
   FrameSettings on_ground = smallFrame();
   on_ground.proxy.kind = ProxyKind::ground;

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/render/light/ground_caustics.h"
 #include "mirrorball/render/light/ground_shadow.h"
 #include "mirrorball/render/stage/stage_work_state.h"
 #include "mirrorball/render/stage/staged_light.h"
@@ -39,7 +40,11 @@ bool lacksBodies(const State& state) {
 }
 
 bool lacksTriangles(const State& state) { return !state.known.triangles && state.settings.self_reflection; }
-bool lacksRays(const State& state) { return !state.known.rays && state.picks; }
+
+bool lacksRays(const State& state) {
+  const bool lights_ground = state.settings.proxy.kind == ProxyKind::ground && hasCaustics(*state.scene);
+  return !state.known.rays && (state.picks || lights_ground);
+}
 
 bool lacksCasters(const State& state) { return !state.known.casters && state.settings.proxy.kind == ProxyKind::ground; }
 

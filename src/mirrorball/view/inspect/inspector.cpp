@@ -6,6 +6,7 @@
 
 #include "mirrorball/rays/path_vertex.h"
 #include "mirrorball/rays/surface_finder.h"
+#include "mirrorball/rays/surface_shares.h"
 #include "mirrorball/render/stage/scene_rays.h"
 #include "mirrorball/scene/camera/eye_rays.h"
 #include "mirrorball/view/inspect/inspection_rows.h"

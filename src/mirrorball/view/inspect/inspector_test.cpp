@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/surface_shares.h"
 #include "mirrorball/view/inspect/inspect_testing.h"
 
 namespace mirrorball {

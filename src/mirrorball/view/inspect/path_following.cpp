@@ -8,9 +8,8 @@
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/surface.h"
-#include "mirrorball/rays/hiding.h"
 #include "mirrorball/rays/surface_finder.h"
-#include "mirrorball/view/inspect/fresnel_curve.h"
+#include "mirrorball/rays/surface_shares.h"
 #include "mirrorball/view/inspect/lobe_outline.h"
 
 namespace mirrorball {
@@ -19,14 +18,6 @@ namespace {
 constexpr float kFaintestShare = 1e-3f;
 /// A further surface that has half of its lobe farther away than that is matt.
 constexpr float kWidestHalfLobe_rad = 0.5236f;  // 30°
-
-bool isInside(const PathVertex& vertex) { return vertex.is_body && !vertex.is_outside; }
-
-/// The frame on the side that the ray comes from.
-Frame sideOfRay(const PathVertex& vertex) {
-  const Frame frame = surfaceFrameOf(vertex);
-  return isInside(vertex) ? Frame(-frame.n, frame.t) : frame;
-}
 
 glm::vec3 placeOf(const PathVertex& vertex) {
   const Hit& hit = vertex.hit;
@@ -49,15 +40,8 @@ std::optional<RayTurn> turnAt(const PathVertex& vertex, const SurfaceShares& sha
 }
 
 glm::vec3 directionAfter(const PathVertex& vertex, RayTurn turn) {
-  const glm::vec3 ray = vertex.arriving.direction;
-  const glm::vec3 n = sideOfRay(vertex).n;
-  if (turn != RayTurn::refracted) {
-    const glm::vec3 geometric = vertex.hit.geometric_normal;
-    return glm::normalize(raisedAbove(vertex.is_outside ? geometric : -geometric, glm::reflect(ray, n)));
-  }
-  if (vertex.surface->thin_walled) return ray;
-  const float ior = materialAgainstBeyond(vertex, 0.0f).ior;
-  return glm::normalize(formula::refractedDirection(ray, n, isInside(vertex) ? 1.0f / ior : ior));
+  const glm::vec3 n = frameOnRaysSide(vertex).n;
+  return turn == RayTurn::refracted ? refractedDirection(vertex, n) : reflectedDirection(vertex, n);
 }
 
 /// The lobe of a surface that the eye sees, as maps show it. What a thin wall lets through is as wide as what it
@@ -70,7 +54,7 @@ std::vector<glm::vec3> lobeAt(const PathVertex& vertex, RayTurn turn, const Ligh
   const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
   const bool is_refracted = turn == RayTurn::refracted;
   if (std::max(alpha.x, alpha.y) < kSmoothAlpha || (is_refracted && !vertex.surface->thin_walled)) return {};
-  const Frame frame = sideOfRay(vertex);
+  const Frame frame = frameOnRaysSide(vertex);
   std::vector<glm::vec3> lobe =
       lobeOutline(glm::max(alpha, kSmoothAlpha), frame.toLocal(-vertex.arriving.direction), kShare, kDirections);
   for (glm::vec3& direction : lobe) {
@@ -81,28 +65,6 @@ std::vector<glm::vec3> lobeAt(const PathVertex& vertex, RayTurn turn, const Ligh
 }
 
 }  // namespace
-
-SurfaceView seenSide(const PathVertex& vertex) {
-  return {isInside(vertex), std::clamp(-glm::dot(vertex.arriving.direction, sideOfRay(vertex).n), 0.0f, 1.0f)};
-}
-
-SurfaceShares sharesAt(const PathVertex& vertex) {
-  if (vertex.surface->unlit) return {};
-  const formula::Material material = materialAgainstBeyond(vertex, 0.0f);
-  const auto [is_inside, cosine] = seenSide(vertex);
-  const float transmits = material.transmission * (1.0f - material.metallic);
-  // From within, matter scatters its share before the surface is met (trace/bsdf.cpp).
-  SurfaceShares shares{.reflected = reflectanceAt(material, cosine, is_inside)};
-  if (is_inside) shares.reflected *= glm::mix(material.transmission, 1.0f, material.metallic);
-  if (transmits <= 0.0f) return shares;
-  const bool bends = !vertex.surface->thin_walled;
-  shares.is_total = bends && isTotallyReflected(material, cosine, is_inside);
-  if (shares.is_total) return shares;
-  formula::Material dielectric = formula::withGreySpecular(material);
-  dielectric.metallic = 0.0f;
-  shares.refracted = transmits * material.base_color * (1.0f - reflectanceAt(dielectric, cosine, is_inside));
-  return shares;
-}
 
 std::optional<RayPath> followedPath(const PathWorld& world, const PathVertex& first, bool is_refracted) {
   SurfaceFinder finder(world.scene, world.geometry, world.relief, [] { return 0.0f; });

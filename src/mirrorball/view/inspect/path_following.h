@@ -24,22 +24,6 @@ struct PathWorld {
   int most_segments = 1;  ///< at least 1
 };
 
-/// How a ray meets a surface.
-struct SurfaceView {
-  bool is_inside = false;  ///< from within a body
-  float cosine = 0.0f;     ///< of the angle between it and the normal on its side, 0 … 1
-};
-SurfaceView seenSide(const PathVertex& vertex);
-
-/// Light of all directions at a surface, linear: how much of it goes on to where the ray comes from, by the mirror
-/// direction and by the refracted one. The rest is scattered or absorbed. Without what a clear coat or cloth adds.
-struct SurfaceShares {
-  glm::vec3 reflected{0.0f};
-  glm::vec3 refracted{0.0f};
-  bool is_total = false;  ///< all is reflected, of a surface that lets light through
-};
-SurfaceShares sharesAt(const PathVertex& vertex);
-
 /// A path that begins at a surface in one of the two ways, and goes on at each further one by the way of more light: in
 /// the mirror direction, or refracted by the index at 588 nm, where reflection may be total. A thin wall lets it go
 /// straight on. Bodies in bodies and what absorbs are as the path tracer has them.

@@ -130,8 +130,6 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
   if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
   const std::vector<std::string> idle = idleForReference(options, frame, given);
-  if (!frame.showsEnvironment() && frame.proxy.kind == ProxyKind::ground)
-    remark("the reference shows no shadow where --background leaves the ground out");
   if (!idle.empty()) remark(changesNothing(idle, "the reference shows what is right in any case"));
   return {};
 }

@@ -114,7 +114,11 @@ std::vector<float> Film::errorsOf(int half, const Display& display) const {
 }
 
 Image Film::radiance() const {
-  return imageOf<4>([this](std::size_t i) { return glm::vec4(meanOfHalves(i, meanOf)); });
+  return imageOf<4>([this](std::size_t i) {
+    glm::vec4 mean(meanOfHalves(i, meanOf));
+    mean.w = glm::clamp(mean.w, 0.0f, 1.0f);  // a path may find more light in a shadow than without it
+    return mean;
+  });
 }
 
 Image Film::albedo() const {

@@ -60,6 +60,7 @@ class Path {
   void addEmittedToGround(Ray ray);
   glm::vec3 seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
+  glm::vec4 shadowAlone(glm::vec3 ground, glm::vec3 unshadowed) const;
   glm::vec3 lightOfLamps(const PathVertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const PathVertex& vertex) const;
   bool survivesRoulette();
@@ -281,10 +282,19 @@ std::optional<float> Path::groundBefore(const Ray& ray, const std::optional<Hit>
   return distance && !(hit && hit->distance <= *distance) ? distance : std::nullopt;
 }
 
+/// What is laid over a page, or is left of it, in the place of the ground: as much less of it as of the ground's light.
+glm::vec4 Path::shadowAlone(glm::vec3 ground, glm::vec3 unshadowed) const {
+  const float lit = formula::luminance(unshadowed);
+  const float left = lit > 0.0f ? formula::luminance(ground) / lit : 1.0f;
+  return settings_.background ? glm::vec4(left * *settings_.background, 1.0f)
+                              : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f - left);
+}
+
 PathLight Path::follow(Ray ray) {
   PathLight result;
+  std::optional<glm::vec3> unshadowed;  // the light of the ground that is left out, without the scene
   const auto ended = [&] {
-    result.radiance = glm::vec4(light_.sum, 1.0f);
+    result.radiance = unshadowed ? shadowAlone(light_.sum, *unshadowed) : glm::vec4(light_.sum, 1.0f);
     return result;
   };
   const auto arrives = [this](const Ray& towards) { return shareThatArrives(towards, INFINITY); };
@@ -295,11 +305,13 @@ PathLight Path::follow(Ray ray) {
     if (!on_ground_.goesOn(ray, hit.has_value(), arrives, light_)) return ended();
     const auto ground = groundBefore(ray, hit);
     if (!hit || ground) {
-      if (surfaces_ == 0 && !settings_.shows_environment) {
+      const bool is_left_out = surfaces_ == 0 && !settings_.shows_environment;
+      if (is_left_out && !ground) {
         if (settings_.background) result.radiance = glm::vec4(light_.throughput * *settings_.background, 1.0f);
         return result;
       }
       const glm::vec3 seen = seeEnvironment(ray);
+      if (is_left_out) unshadowed = seen;
       if (!ground || surfaces_ == settings_.bounces) return ended();
       ray = on_ground_.scatter(ray, *ground, seen, arrives, light_);
       addEmittedToGround(ray);

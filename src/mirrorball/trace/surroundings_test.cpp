@@ -81,6 +81,14 @@ Scene smallBall(float albedo) {
   return scene;
 }
 
+/// From above at an angle, so that ground and model fill the picture.
+Image tracedOnGround(Scene scene, Environment environment, TraceSettings settings) {
+  settings.proxy = *parseProxy("proxy", "ground:2");
+  const Camera camera =
+      makeCamera({.azimuth_deg = 20.0f, .elevation_deg = 50.0f, .distance = 3.0f}, boundingSphere(scene), 1.0f);
+  return PathTracer::make(std::move(scene), std::move(environment))->render(camera, settings)->radiance;
+}
+
 // Wherever its light comes from, all ways to find it find as much.
 TEST(SurroundingsOfScenes, EveryStrategyFindsTheSameLight) {
   for (const std::string& proxy : kEveryProxy) {
@@ -108,6 +116,30 @@ TEST(SurroundingsOfScenes, WhatIsSeenThroughAHoleCountsOnce) {
   EXPECT_NEAR(meanOf(testing::traced(smallBall(0.8f), lampLight(), settings)), both, 0.02f * both);
 }
 
+// Of a ground that is left out the shadow is alpha: the share of its light that is missing.
+TEST(SurroundingsOfScenes, AShadowAloneIsWhatTheGroundLacks) {
+  TraceSettings settings = small(16);
+  const auto onGround = [&] { return tracedOnGround(smallBall(0.2f), lightOf(0.5f), settings); };
+  const Image whole = onGround();
+  settings.shows_environment = false;
+  const Image alone = onGround();
+  settings.background = glm::vec3(2.0f);
+  const Image on_page = onGround();
+  int shadowed = 0;
+  for (int y = 0; y < alone.height(); ++y)
+    for (int x = 0; x < alone.width(); ++x) {
+      const float* shadow = alone.texel(x, y);
+      // Beside the ball, of which the pixel may hold a part.
+      if (shadow[1] != 0.0f || shadow[3] == 1.0f) continue;
+      shadowed += shadow[3] > 0.1f;
+      EXPECT_NEAR(shadow[3], std::clamp(1.0f - whole.texel(x, y)[1] / 0.5f, 0.0f, 1.0f), 1e-4f) << x << ", " << y;
+      if (shadow[3] > 0.0f) {
+        EXPECT_NEAR(on_page.texel(x, y)[1], 2.0f * (1.0f - shadow[3]), 1e-3f) << x << ", " << y;
+      }
+    }
+  EXPECT_GT(shadowed, 10);
+}
+
 TEST(SurroundingsOfScenes, TheFurnaceIsWhiteOnEveryProxy) {
   for (const std::string& proxy : kEveryProxy) {
     TraceSettings settings = small(64);
@@ -116,14 +148,6 @@ TEST(SurroundingsOfScenes, TheFurnaceIsWhiteOnEveryProxy) {
     const Image image = testing::traced(smallBall(1.0f), lightOf(1.0f), settings);
     testing::expectWhite(image, 4e-3, proxy);
   }
-}
-
-/// From above at an angle, so that ground and model fill the picture.
-Image tracedOnGround(Scene scene, Environment environment, TraceSettings settings) {
-  settings.proxy = *parseProxy("proxy", "ground:2");
-  const Camera camera =
-      makeCamera({.azimuth_deg = 20.0f, .elevation_deg = 50.0f, .distance = 3.0f}, boundingSphere(scene), 1.0f);
-  return PathTracer::make(std::move(scene), std::move(environment))->render(camera, settings)->radiance;
 }
 
 // Without anything on it the photographed ground is the photograph.

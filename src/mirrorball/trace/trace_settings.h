@@ -47,7 +47,7 @@ struct TraceSettings {
   glm::mat3 environment_from_world{1.0f};    ///< turns the environment
   float environment_intensity = 1.0f;        ///< scales its light
   ProxyOptions proxy = {};                   ///< what the environment's light comes from
-  bool shows_environment = true;             ///< behind the scene
+  bool shows_environment = true;             ///< behind the scene; of its ground else the shadow alone
   std::optional<glm::vec3> background = {};  ///< radiance there if the environment is not shown; nothing: transparent
   std::vector<PointLight> lights = {};       ///< by Phong's model, as the renderer has them, but with shadows
   float light_intensity = 1.0f;              ///< scales the scene's own lights

@@ -169,17 +169,22 @@ TEST_F(ProxyTest, BesideASmallSphereTheBackgroundIsSmooth) {
     }
 }
 
-// The share of a level ground's light that a ball hides, standing on it: sin² β cos θ, the ball being seen at the angle
-// θ from the vertical with half-angle β.
-TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
-  const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
+/// The ground that a ball of radius 1 stands on, from above: an eighth of a unit a pixel.
+FrameSettings groundFromAbove() {
   FrameSettings settings;
   settings.size = {64, 64};
   settings.samples = 1;
   settings.resolve = Resolve::radiance;
   settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 90.0f, .distance = 8.0f, .orthographic_height = 8.0f};
   testing::set(settings, "proxy", "ground:2");
-  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, mirrorOfProxy()), white, settings);
+  return settings;
+}
+
+// The share of a level ground's light that a ball hides, standing on it: sin² β cos θ, the ball being seen at the angle
+// θ from the vertical with half-angle β.
+TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
+  const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
+  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, mirrorOfProxy()), white, groundFromAbove());
   for (const int pixel : {44, 48, 52}) {
     double seen = 0.0;
     const int other = 63 - pixel;
@@ -199,13 +204,7 @@ TEST_F(ProxyTest, ABodyLikeAirThrowsNoShadow) {
   air.transmission = 1.0f;
   air.ior = 1.0f;
   air.perceptual_roughness = 0.0f;
-  FrameSettings settings;
-  settings.size = {64, 64};
-  settings.samples = 1;
-  settings.resolve = Resolve::radiance;
-  settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 90.0f, .distance = 8.0f, .orthographic_height = 8.0f};
-  testing::set(settings, "proxy", "ground:2");
-  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, air), white, settings);
+  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, air), white, groundFromAbove());
   double sum = 0.0;
   for (int x = 40; x < 64; ++x) {
     EXPECT_NEAR(image.texel(x, 32)[1], 1.0f, 0.15f) << x;

@@ -150,8 +150,7 @@ TEST_F(ReferenceRenderTest, TakesEveryOptionOfThePictureBesideIt) {
       StartsWith(
           "mirrorball: note: --blur, --texture-filter, --self-reflection, --quality, --refraction, --inner-bounces and "
           "--background blur change nothing: the reference shows what is right in any case\n1 path a pixel, "));
-  EXPECT_THAT(trace(line + " --proxy ground --background transparent"),
-              StartsWith("1 path a pixel, "));
+  EXPECT_THAT(trace(line + " --proxy ground --background transparent"), StartsWith("1 path a pixel, "));
 }
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {

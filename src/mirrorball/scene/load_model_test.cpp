@@ -1,13 +1,16 @@
 #include "mirrorball/scene/load_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/tangents.h"
 #include "test_data.h"
 
@@ -65,6 +68,33 @@ TEST(LoadModel, NamesAMissingFileAndAnUnknownKind) {
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::unsupported);
   EXPECT_THAT(unknown.error().message, HasSubstr(".glb .gltf .obj .ply .stl"));
+}
+
+TEST(LoadModel, TellsHowFarItIsAndCanBeStopped) {
+  const std::string path = ::testing::TempDir() + "/stopped.glb";
+  Scene scene = *loadModel("showcase");
+  scene.textures.resize(2);
+  for (int i = 0; i < 2; ++i) {
+    scene.textures[std::size_t(i)].image = Image8(64, 64, 4, std::uint8_t(100 + i));
+    scene.materials[std::size_t(i)].base_color_map.texture = i;
+  }
+  ASSERT_TRUE(writeFile(path, encodeGlb(scene)->bytes));
+  std::vector<std::size_t> steps;
+  ModelLoadOptions options;
+  options.progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 200u) << "hundredths of the meshes, then of the pictures";
+    steps.push_back(done);
+    return true;
+  };
+  ASSERT_TRUE(loadModel(path, options));
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  EXPECT_THAT(steps, ::testing::AllOf(::testing::Contains(100u), ::testing::Contains(200u)));
+  for (const std::size_t most : {0u, 100u}) {
+    options.progress = [most](std::size_t done, std::size_t) { return done <= most; };
+    const Result<Scene> stopped = loadModel(path, options);
+    ASSERT_FALSE(stopped) << most;
+    EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  }
 }
 
 TEST(LoadModel, RefusesWhatIsTooLargeToDraw) {

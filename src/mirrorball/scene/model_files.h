@@ -9,6 +9,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/animation/animation_choice.h"
 #include "mirrorball/scene/scene.h"
@@ -21,8 +22,12 @@ struct ModelLoadOptions {
   /// from people who are not to learn what lies there.
   bool inside_only = false;
   AnimationChoice animation = {};  ///< the moment that loadModel shows; none: the model is at rest
+  ProgressFunction progress = {};  ///< is told of pictures and meshes, and may stop what reads them
 
-  bool operator==(const ModelLoadOptions&) const = default;
+  /// Whether they give the same model.
+  bool operator==(const ModelLoadOptions& other) const {
+    return inside_only == other.inside_only && animation == other.animation;
+  }
 };
 
 /// The files that a model's file names: buffers, pictures, tables of materials. Names are paths from the model's
@@ -45,6 +50,9 @@ class ModelFiles {
 
   /// The memory for all that the model holds: its files, meshes and pictures.
   MemoryBudget& budget() { return budget_; }
+
+  /// Of one half of the work, of two, in hundredths of a half.
+  ProgressFunction progressOfHalf(std::size_t half) const { return partOf(options_.progress, 100 * half, 100, 200); }
 
   /// What was read.
   std::vector<std::string> files() const;

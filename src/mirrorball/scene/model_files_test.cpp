@@ -67,7 +67,7 @@ class ModelFilesTest : public ::testing::Test {
   const fs::path folder_ = above_ / "model";
 };
 
-constexpr ModelLoadOptions kInsideOnly{.inside_only = true};
+const ModelLoadOptions kInsideOnly{.inside_only = true};
 
 TEST_F(ModelFilesTest, WhatLiesInsideIsReadWithoutARemark) {
   for (const char* uri : {"inside.bin", "./inside.bin", "%69nside.bin", "textures/inside.bin", "textures/../inside.bin",

@@ -21,18 +21,27 @@ Result<Image8> decodeWithin(MemoryBudget& budget, EncodedPicture picture) {
 
 }  // namespace
 
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget) {
+std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+                                           const ProgressFunction& progress) {
   std::vector<Result<Image8>> images(pictures.size());
   // The largest first, so that at the end no processor is left alone with one.
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return pictures[a].size() > pictures[b].size(); });
+  std::size_t bytes = 0;
+  for (const EncodedPicture picture : pictures) bytes += picture.size();
+  ProgressCounter counter(progress, bytes);
   std::atomic<std::size_t> next = 0;
   parallelFor(order.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (; begin < end; ++begin) {
       const std::size_t i = order[next++];
+      if (const Result<void> goes_on = counter.result(); !goes_on) {
+        images[i] = tl::unexpected<Error>(goes_on.error());
+        continue;
+      }
       images[i] = decodeWithin(budget, pictures[i]);
+      counter.advance(pictures[i].size());
     }
   });
   return images;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
 
@@ -17,8 +18,10 @@ using EncodedPicture = std::span<const std::uint8_t>;
 /// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's
 /// loading time goes.
 ///
-/// budget   from which the images' memory is taken, and that of decoding each while it lasts
-/// returns  for each picture its image of 4 channels as stored, or why it cannot be read
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget);
+/// budget    from which the images' memory is taken, and that of decoding each while it lasts
+/// progress  counts bytes of pictures; may stop the rest
+/// returns   for each picture its image of 4 channels as stored, or why it cannot be read: interrupted, if it was not
+std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+                                           const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

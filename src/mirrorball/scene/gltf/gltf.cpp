@@ -269,10 +269,15 @@ class SceneBuilder {
 
   Result<void> readPrimitives(const std::vector<Job>& jobs) {
     std::vector<Result<PrimitiveMesh>> read(jobs.size());
+    const ProgressFunction progress = file_.named.progressOfHalf(0);
+    ProgressCounter counter(progress, jobs.size());
     parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end && !counter.stopped(); ++i) {
         read[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].tangent_uv_set, jobs[i].wanted, jobs[i].key);
+        counter.advance();
+      }
     });
+    MIRRORBALL_TRY_VOID(counter.result());
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!read[i]) return fail(std::move(read[i]));
       Mesh& mesh = read[i]->mesh;

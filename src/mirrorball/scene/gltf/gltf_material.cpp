@@ -118,7 +118,9 @@ Result<void> Materials::decodeTextures() {
     pictures.push_back(bytes);
   }
 
-  std::vector<Result<Image8>> decoded = decodePictures(pictures, file_.named.budget());
+  std::vector<Result<Image8>> decoded = decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1));
+  for (const Result<Image8>& picture : decoded)
+    if (!picture && picture.error().code == ErrorCode::interrupted) return tl::unexpected<Error>(picture.error());
   for (const Planned& planned : planned_)
     if (Result<Image8>& picture = decoded[place[planned.image]]; !picture)
       return fail(withName(quoted("images", std::size_t(planned.image)), std::move(picture)));

@@ -10,8 +10,8 @@
 namespace mirrorball {
 
 Result<LoadedModel> loadedModel(const std::string& name, bool inside_only, const ProgressFunction& progress) {
-  MIRRORBALL_TRY(scene, loadModel(name, {.inside_only = inside_only}));
-  MIRRORBALL_TRY(levels, makeMapLevels(scene, progress));
+  MIRRORBALL_TRY(scene, loadModel(name, {.inside_only = inside_only, .progress = partOf(progress, 0, 100, 200)}));
+  MIRRORBALL_TRY(levels, makeMapLevels(scene, partOf(progress, 100, 100, 200)));
   bool hides_itself = false;
   if (!traitsOf(scene).is_huge) {
     MIRRORBALL_TRY(hides, hidesItself(scene));

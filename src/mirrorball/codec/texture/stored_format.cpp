@@ -16,6 +16,7 @@
 #include "mirrorball/codec/bc6h/bc6h_modes.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/shared_exponent.h"
+#include "mirrorball/codec/half_blocks/half_rows.h"
 #include "mirrorball/image/small_float.h"
 
 namespace mirrorball {
@@ -302,7 +303,7 @@ float maxOf(TexelFormat format) {
     case TexelFormat::e5b9g9r9:
       return 65408.0f;
     case TexelFormat::bc6h:
-      return kLargestBc6h;
+      return kLargestHalf;
     default:
       return std::numeric_limits<float>::max();
   }
@@ -312,7 +313,7 @@ std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int 
   const auto step = static_cast<std::size_t>(channels);
   std::vector<std::uint8_t> bytes(blockSize(storedFormat(format)));
   const auto fits = [&](std::span<const float> texel) {
-    return format == TexelFormat::bc6h ? fitsBc6h(texel, channels) : packTexels(format, texel, channels, 1, bytes);
+    return format == TexelFormat::bc6h ? fitsUnsignedHalf(texel, channels) : packTexels(format, texel, channels, 1, bytes);
   };
   std::size_t texel = 0;
   while (fits(samples.subspan(texel * step, step))) ++texel;

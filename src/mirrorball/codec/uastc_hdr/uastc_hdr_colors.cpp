@@ -97,15 +97,36 @@ int putField(const Submode<kFields, kExtra>& submode, const Places<kFields, kExt
   return value - lowBits(value, count) + lowBits(byte, count);
 }
 
-ColorEnds clamped(ColorEnds ends) {
-  for (auto& end : ends)
-    for (int& channel : end) channel = std::clamp(channel, 0, 0xfff);
-  return ends;
-}
-
 /// The two channels beside the largest one, in the order of their fields: that one and red change places.
 constexpr std::array<std::size_t, 2> othersThan(std::size_t largest) {
   return {largest == 1 ? std::size_t{0} : std::size_t{1}, largest == 2 ? std::size_t{0} : std::size_t{2}};
+}
+
+int in12Bits(int number) { return std::clamp(number, 0, 0xfff); }
+
+/// The ends of fields in numbers of 12 bits.
+ColorEnds endsOfTwo(const std::array<int, 6>& f, std::size_t largest) {
+  ColorEnds ends;
+  ends[1][largest] = in12Bits(f[kA]);
+  ends[0][largest] = in12Bits(f[kA] - f[kC]);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t channel = othersThan(largest)[i];
+    ends[1][channel] = in12Bits(f[kA] - f[kB0 + i]);
+    ends[0][channel] = in12Bits(f[kA] - f[kB0 + i] - f[kC] - f[kD0 + i]);
+  }
+  return ends;
+}
+
+ColorEnds endsOfBase(const std::array<int, 4>& f, std::size_t largest, bool is_direct) {
+  ColorEnds ends;
+  ends[1][largest] = f[kRed];
+  for (std::size_t i = 0; i < 2; ++i)
+    ends[1][othersThan(largest)[i]] = is_direct ? f[kGreen + i] : f[kRed] - f[kGreen + i];
+  for (std::size_t c = 0; c < 3; ++c) {
+    ends[0][c] = in12Bits(ends[1][c] - f[kScale]);
+    ends[1][c] = in12Bits(ends[1][c]);
+  }
+  return ends;
 }
 
 ColorEnds unpackTwoColors(std::span<const std::uint8_t> bytes) {
@@ -120,15 +141,7 @@ ColorEnds unpackTwoColors(std::span<const std::uint8_t> bytes) {
   for (const std::size_t d : {std::size_t(kD0), std::size_t(kD1)})
     if (bitOf(f[d], submode.bits[d] - 1) != 0) f[d] -= 1 << submode.bits[d];
   for (int& field : f) field *= 1 << submode.shift;
-  ColorEnds ends;
-  ends[1][largest] = f[kA];
-  ends[0][largest] = f[kA] - f[kC];
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t channel = othersThan(largest)[i];
-    ends[1][channel] = f[kA] - f[kB0 + i];
-    ends[0][channel] = f[kA] - f[kB0 + i] - f[kC] - f[kD0 + i];
-  }
-  return clamped(ends);
+  return endsOfTwo(f, largest);
 }
 
 ColorEnds unpackBaseAndOffset(std::span<const std::uint8_t> bytes) {
@@ -139,12 +152,7 @@ ColorEnds unpackBaseAndOffset(std::span<const std::uint8_t> bytes) {
   const std::size_t index = is_direct ? kDirectBase : upper < 3 ? std::size_t(number & 3) : 4;
   std::array<int, 4> f = fieldsOf(kSubmodesOfBase[index], kPlacesOfBase, bytes);
   for (int& field : f) field *= 1 << kSubmodesOfBase[index].shift;
-  ColorEnds ends;
-  ends[1][largest] = f[kRed];
-  for (std::size_t i = 0; i < 2; ++i)
-    ends[1][othersThan(largest)[i]] = is_direct ? f[kGreen + i] : f[kRed] - f[kGreen + i];
-  for (std::size_t c = 0; c < 3; ++c) ends[0][c] = ends[1][c] - f[kScale];
-  return clamped(ends);
+  return endsOfBase(f, largest, is_direct);
 }
 
 /// The nearest whole number; of what is above −4096.
@@ -181,13 +189,15 @@ PackedColors packedTwo(std::size_t number, const FloatEnds& ends, std::size_t la
   PackedColors packed;
   for (std::size_t i = 0; i < 3; ++i) packed.bytes[1 + i] = static_cast<std::uint8_t>((number >> i & 1u) << 7);
   for (std::size_t i = 0; i < 2; ++i) packed.bytes[4 + i] = static_cast<std::uint8_t>((largest >> i & 1u) << 7);
+  std::array<int, 6> f;  // as they stand there
   const auto put = [&](std::size_t field, float value) {
     const bool is_signed = field >= kD0;
     const int bits = submode.bits[field] - (is_signed ? 1 : 0);
     const int steps = stepsWithin(value, step, is_signed ? -(1 << bits) : 0, mostOf(bits));
     const int there =
         putField(submode, kPlacesOfTwo, field, lowBits(steps, submode.bits[field]), levels, packed.bytes);
-    return static_cast<float>(is_signed && there > mostOf(bits) ? there - (2 << bits) : there) * step;
+    f[field] = (is_signed && there > mostOf(bits) ? there - (2 << bits) : there) << submode.shift;
+    return static_cast<float>(f[field]);
   };
   // Bit 8 of the largest channel has a place of its own.
   const int a_steps = stepsWithin(ends[1][largest], step, 0, mostOf(submode.bits[kA]));
@@ -195,10 +205,10 @@ PackedColors packedTwo(std::size_t number, const FloatEnds& ends, std::size_t la
   // What is lost in one field is made good in the next ones.
   const float a = put(kA, ends[1][largest]);
   const float c = put(kC, a - ends[0][largest]);
-  std::array<float, 2> b;
-  for (std::size_t i = 0; i < 2; ++i) b[i] = put(kB0 + i, a - ends[1][othersThan(largest)[i]]);
-  for (std::size_t i = 0; i < 2; ++i) put(kD0 + i, a - b[i] - c - ends[0][othersThan(largest)[i]]);
-  packed.ends = unpackTwoColors(packed.bytes);
+  for (std::size_t i = 0; i < 2; ++i) put(kB0 + i, a - ends[1][othersThan(largest)[i]]);
+  for (std::size_t i = 0; i < 2; ++i)
+    put(kD0 + i, a - static_cast<float>(f[kB0 + i]) - c - ends[0][othersThan(largest)[i]]);
+  packed.ends = endsOfTwo(f, largest);
   return packed;
 }
 
@@ -253,9 +263,11 @@ PackedColors packedBase(std::size_t number, const std::array<float, 3>& base, fl
   PackedColors packed;
   packed.bytes = {static_cast<std::uint8_t>((code & 3u) << 6), static_cast<std::uint8_t>((code >> 2 & 1u) << 7),
                   static_cast<std::uint8_t>((code >> 3) << 7)};
+  std::array<int, 4> f;  // as they stand there
   const auto put = [&](std::size_t field, float value) {
     const int steps = stepsWithin(value, step, 0, mostOf(submode.bits[field]));
-    return static_cast<float>(putField(submode, kPlacesOfBase, field, steps, levels, packed.bytes)) * step;
+    f[field] = putField(submode, kPlacesOfBase, field, steps, levels, packed.bytes) << submode.shift;
+    return static_cast<float>(f[field]);
   };
   const float red = put(kRed, base[largest]);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -263,7 +275,7 @@ PackedColors packedBase(std::size_t number, const std::array<float, 3>& base, fl
     put(kGreen + i, is_direct ? other : red - other);
   }
   put(kScale, offset);
-  packed.ends = unpackBaseAndOffset(packed.bytes);
+  packed.ends = endsOfBase(f, largest, is_direct);
   return packed;
 }
 

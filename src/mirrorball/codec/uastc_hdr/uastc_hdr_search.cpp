@@ -5,6 +5,8 @@
 
 #include "mirrorball/codec/uastc_hdr/uastc_hdr_search.h"
 
+#include <span>
+
 #include "mirrorball/base/vector_targets.h"
 #include "mirrorball/codec/bc6h/bc6h_modes.h"
 #include "mirrorball/codec/half_blocks/block_weights.h"
@@ -224,35 +226,53 @@ HWY_INLINE Lines fitted(const Texels& texels, const Encoded& encoded, VU code, L
   return lines;
 }
 
-/// Encodes with the first of some counts of weights, fits lines to that, and encodes with all of them.
+HWY_INLINE Encoded nothingYet() {
+  Encoded none;
+  none.error = set(1e30f);
+  none.mode = none.code = hn::Zero(DU());
+  for (V& color : none.colors) color = set(0.0f);
+  for (std::size_t i = 0; i < 16; ++i) none.weights[i] = none.shares[i] = set(0.0f);
+  return none;
+}
+
+template <ColorMode kColorMode, int kSubsets>
+HWY_INLINE Lines linesOf(const Texels& texels, VU code) {
+  if constexpr (kColorMode == ColorMode::two_colors)
+    return linesThrough<UastcHdrFormat, kSubsets>(texels, code);
+  else
+    return offsetLines<kSubsets>(texels, code);
+}
+
+/// Encodes in each of some partitions with the first of some counts of weights; fits lines to the best of these, and encodes
+/// them with all counts.
 template <ColorMode kColorMode, int kSubsets, int kFirst, int... kOthers>
-HWY_NOINLINE void tryLines(const Texels& texels, VU code, const Lines& lines, Encoded& best) {
-  const Encoded first = encode<kColorMode, kSubsets, kFirst>(texels, code, lines);
+HWY_NOINLINE void tryPartitions(const Texels& texels, std::span<const VU> codes, Encoded& best) {
+  Encoded first = nothingYet();
+  for (const VU code : codes)
+    keepBetter(encode<kColorMode, kSubsets, kFirst>(texels, code, linesOf<kColorMode, kSubsets>(texels, code)), first);
   keepBetter(first, best);
-  const Lines better = fitted<kColorMode, kSubsets>(texels, first, code, lines);
-  keepBetter(encode<kColorMode, kSubsets, kFirst>(texels, code, better), best);
-  (keepBetter(encode<kColorMode, kSubsets, kOthers>(texels, code, better), best), ...);
+  Lines lines = linesOf<kColorMode, kSubsets>(texels, first.code);
+  if constexpr (kColorMode == ColorMode::two_colors)
+    fitEnds<kSubsets>(texels, first.shares, first.code, lines);
+  else
+    fitOffsets<kSubsets>(texels, first.shares, first.code, lines);
+  keepBetter(encode<kColorMode, kSubsets, kFirst>(texels, first.code, lines), best);
+  (keepBetter(encode<kColorMode, kSubsets, kOthers>(texels, first.code, lines), best), ...);
 }
 
 HWY_NOINLINE Encoded bestOf(const Texels& texels) {
   constexpr ColorMode kTwo = ColorMode::two_colors;
   constexpr ColorMode kBase = ColorMode::base_and_offset;
-  const VU one = hn::Zero(DU());
-  Encoded best;
-  best.error = set(1e30f);
-  best.mode = best.code = one;
-  for (V& color : best.colors) color = set(0.0f);
-  for (int i = 0; i < 16; ++i) best.weights[i] = best.shares[i] = set(0.0f);
-  tryLines<kTwo, 1, 16, 12>(texels, one, linesThrough<UastcHdrFormat, 1>(texels, one), best);
-  tryLines<kBase, 1, 16>(texels, one, offsetLines<1>(texels, one), best);
-
+  Encoded best = nothingYet();
+  const VU whole[] = {hn::Zero(DU())};
+  tryPartitions<kTwo, 1, 16, 12>(texels, whole, best);
+  tryPartitions<kBase, 1, 16>(texels, whole, best);
   VU codes[kTriedPartitionsOfBase];
   choosePartitions<UastcHdrFormat, kTriedPartitionsOfBase>(texels, misfitOfBase, codes);
-  for (const VU code : codes) tryLines<kBase, 2, 8, 6>(texels, code, offsetLines<2>(texels, code), best);
+  tryPartitions<kBase, 2, 8, 6>(texels, codes, best);
   VU codes_of_two[kTriedPartitionsOfTwo];
   choosePartitions<UastcHdrFormat, kTriedPartitionsOfTwo>(texels, misfitOfTwo, codes_of_two);
-  for (const VU code : codes_of_two)
-    tryLines<kTwo, 2, 4, 3>(texels, code, linesThrough<UastcHdrFormat, 2>(texels, code), best);
+  tryPartitions<kTwo, 2, 4, 3>(texels, codes_of_two, best);
   return best;
 }
 

@@ -161,8 +161,9 @@ int rounded(float value) { return static_cast<int>(value + 4096.5f) - 4096; }
 /// The steps from one colour to another that a field can hold.
 int stepsWithin(float value, float step, int least, int most) { return std::clamp(rounded(value / step), least, most); }
 
-/// The largest value of a field.
+/// The largest value of a field of so many bits; and of one that is a colour, which must be finite light.
 int mostOf(int bits) { return (1 << bits) - 1; }
+int mostOfColor(int bits, int shift) { return std::min(mostOf(bits), kLargestColor >> shift); }
 
 std::size_t largestChannel(const std::array<float, 3>& color) {
   return static_cast<std::size_t>(std::max_element(color.begin(), color.end()) - color.begin());
@@ -193,14 +194,15 @@ PackedColors packedTwo(std::size_t number, const FloatEnds& ends, std::size_t la
   const auto put = [&](std::size_t field, float value) {
     const bool is_signed = field >= kD0;
     const int bits = submode.bits[field] - (is_signed ? 1 : 0);
-    const int steps = stepsWithin(value, step, is_signed ? -(1 << bits) : 0, mostOf(bits));
+    const int most = field == kA ? mostOfColor(bits, submode.shift) : mostOf(bits);
+    const int steps = stepsWithin(value, step, is_signed ? -(1 << bits) : 0, most);
     const int there =
         putField(submode, kPlacesOfTwo, field, lowBits(steps, submode.bits[field]), levels, packed.bytes);
     f[field] = (is_signed && there > mostOf(bits) ? there - (2 << bits) : there) << submode.shift;
     return static_cast<float>(f[field]);
   };
   // Bit 8 of the largest channel has a place of its own.
-  const int a_steps = stepsWithin(ends[1][largest], step, 0, mostOf(submode.bits[kA]));
+  const int a_steps = stepsWithin(ends[1][largest], step, 0, mostOfColor(submode.bits[kA], submode.shift));
   packed.bytes[1] = static_cast<std::uint8_t>(packed.bytes[1] | bitOf(a_steps, 8) << 6);
   // What is lost in one field is made good in the next ones.
   const float a = put(kA, ends[1][largest]);
@@ -265,7 +267,9 @@ PackedColors packedBase(std::size_t number, const std::array<float, 3>& base, fl
                   static_cast<std::uint8_t>((code >> 3) << 7)};
   std::array<int, 4> f;  // as they stand there
   const auto put = [&](std::size_t field, float value) {
-    const int steps = stepsWithin(value, step, 0, mostOf(submode.bits[field]));
+    const bool is_color = field == kRed || (is_direct && field != kScale);
+    const int bits = submode.bits[field];
+    const int steps = stepsWithin(value, step, 0, is_color ? mostOfColor(bits, submode.shift) : mostOf(bits));
     f[field] = putField(submode, kPlacesOfBase, field, steps, levels, packed.bytes) << submode.shift;
     return static_cast<float>(f[field]);
   };

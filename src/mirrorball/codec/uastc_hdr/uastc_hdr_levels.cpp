@@ -65,20 +65,20 @@ constexpr WeightLevels makeWeightLevels(int count) {
 
 constexpr EndpointLevels makeEndpointLevels(int count) {
   EndpointLevels levels;
+  std::array<bool, 256> is_level{};
   for (int number = 0; number < count; ++number) {
     const auto value = static_cast<std::uint8_t>(endpointOf(integerRange(count), number));
     levels.values[static_cast<std::size_t>(number)] = value;
     levels.numbers[value] = static_cast<std::uint8_t>(number);
+    is_level[value] = true;
   }
   for (int byte = 0; byte < 256; ++byte) {
-    int nearest = 1024;
-    for (int number = 0; number < count; ++number) {
-      const int value = levels.values[static_cast<std::size_t>(number)];
-      const int off = value < byte ? byte - value : value - byte;
-      const int least = nearest < byte ? byte - nearest : nearest - byte;
-      if (value >> 5 == byte >> 5 && off < least) nearest = value;
-    }
-    levels.nearest[static_cast<std::size_t>(byte)] = static_cast<std::uint8_t>(nearest);
+    // Every 32 values have a level, so this ends.
+    const auto isNear = [&](int value) { return value >> 5 == byte >> 5 && is_level[static_cast<std::size_t>(value)]; };
+    int off = 0;
+    while (!isNear(byte - off) && !isNear(byte + off)) ++off;
+    levels.nearest[static_cast<std::size_t>(byte)] =
+        static_cast<std::uint8_t>(isNear(byte - off) ? byte - off : byte + off);
   }
   return levels;
 }

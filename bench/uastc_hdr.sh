@@ -3,8 +3,8 @@
 #
 # Encodes cubes of 6 x SIDE² of PANORAMAs by `--format uastc_hdr`, and by the encoder of Basis Universal as npm's
 # ktx2-encoder brings it, at its default effort. Basis Universal's transcoder decodes both to half floats and to BC6H.
-# Prints the errors as docs/conventions/files.md defines them, in percent, and how long Basis Universal took; exit code 1
-# where our relative RMSE is more than 1.3 times the other. SCRATCH keeps npm's packages, and gets the files.
+# Prints the errors as docs/conventions/files.md defines them, in percent, and how long Basis Universal took; exit code
+# 1 where our relative RMSE is more than 1.3 times the other. SCRATCH keeps npm's packages, and gets the files.
 set -eu
 program=$(realpath -- "$1")
 mkdir -p -- "$2"

@@ -1,11 +1,12 @@
-// Blocks of UASTC HDR as they are, and the same bytes as half floats that are encoded: what is read is finite light, and
-// what is written is read.
+// Blocks of UASTC HDR as they are, and the same bytes as half floats that are encoded: what is read is finite light,
+// and what is written is read.
+
+#include "mirrorball/codec/uastc_hdr/uastc_hdr.h"
 
 #include <algorithm>
 
 #include "fuzz.h"
 #include "made_input.h"
-#include "mirrorball/codec/uastc_hdr/uastc_hdr.h"
 #include "mirrorball/codec/uastc_hdr/uastc_hdr_block.h"
 #include "mirrorball/image/small_float.h"
 

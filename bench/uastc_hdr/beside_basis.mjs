@@ -106,8 +106,9 @@ for (const panorama of panoramas) {
   for (const way of ['halves', 'bc6h']) {
     const ratio = a[way].relative / b[way].relative;
     faults += ratio > most;
-    console.log([`${name}, ${way}`.padEnd(26), a[way].relative.toFixed(3).padEnd(8), b[way].relative.toFixed(3).padEnd(8),
-      ratio.toFixed(2).padEnd(8), a[way].ofRms.toFixed(2).padEnd(8), b[way].ofRms.toFixed(2)].join(''));
+    const columns = [a[way].relative.toFixed(3), b[way].relative.toFixed(3), ratio.toFixed(2), a[way].ofRms.toFixed(2),
+      b[way].ofRms.toFixed(2)];
+    console.log(`${name}, ${way}`.padEnd(26) + columns.map((column) => column.padEnd(8)).join(''));
   }
   console.log(`  Basis Universal took ${seconds.toFixed(1)} s`);
 }

@@ -81,8 +81,8 @@ function writeBlocks(name, options) {
   return [`maps/${name}.ktx2`];
 }
 
-/// What is to be shown, and in which views it must differ from our pictures. Of .ktx2 and .dds three.js 0.187 makes cubes
-/// only where texels are compressed in blocks or have 8-bit channels.
+/// What is to be shown, and in which views it must differ from our pictures. Of .ktx2 and .dds three.js 0.187 makes
+/// cubes only where texels are compressed in blocks or have 8-bit channels.
 function makeMaps() {
   const cube = writeCube('three', 'png');
   const panorama = writePanorama('three', 'png');

@@ -37,8 +37,8 @@ function transformed(image, matrix) {
   return context.canvas;
 }
 
-/// A map as a user of three.js would load it; a cube has six files or is a .ktx2, a panorama has one. `damage` is done to
-/// one image.
+/// A map as a user of three.js would load it; a cube has six files or is a .ktx2, a panorama has one. `damage` is done
+/// to one image.
 async function load({ files, damage }) {
   if (files[0].endsWith('.ktx2')) return ktx2Loader.loadAsync(files[0]);
   const isCube = files.length === 6;

@@ -63,7 +63,8 @@ function expectEqual(found, expected, what) {
   console.error(`${what}: found ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 }
 
-/// Compares texels, or blocks where they are compressed, one behind the other with the part of the list that begins at texel `first`; returns its end.
+/// Compares texels, or blocks where they are compressed, one behind the other with the part of the list that begins at
+/// texel `first`; returns its end.
 function checkTexels(bytes, count, file, first, what) {
   const { decode, size, side } = formats[file.format];
   const numbers = side ? size : 4;
@@ -138,7 +139,8 @@ async function checkKtx2(file, bytes) {
     images.forEach((mipmaps, face) => {
       const { data } = mipmaps[level];
       const texels = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-      first = checkTexels(texels, levelTexels(file, level), file, first, `${name}, three.js' level ${level}, face ${face}`);
+      const what = `${name}, three.js' level ${level}, face ${face}`;
+      first = checkTexels(texels, levelTexels(file, level), file, first, what);
     });
 }
 
@@ -151,7 +153,8 @@ function checkTranscoded(file, bytes) {
         const what = `${file.name}, level ${level}, layer ${layer}, face ${face}`;
         const { halves, bc6h } = transcoded(transcoder, bytes, level, layer, face);
         const colors = halves.filter((_, i) => i % 4 < 3);
-        expectEqual(colors.findIndex((half, i) => half !== file.halves[first + i]), -1, `${what}, the first other half`);
+        const other = colors.findIndex((half, i) => half !== file.halves[first + i]);
+        expectEqual(other, -1, `${what}, the first half float that is another`);
         expectEqual(bc6h.length, levelTexels(file, level) * 16, `${what}, bytes of BC6H`);
         first += colors.length;
       }

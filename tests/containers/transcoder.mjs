@@ -23,7 +23,8 @@ export async function loadTranscoder() {
 export function transcoded(transcoder, bytes, level, layer, face) {
   const file = new transcoder.KTX2File(new Uint8Array(bytes));
   try {
-    if (!file.isValid() || !file.isHDR() || !file.startTranscoding()) throw new Error('the transcoder refuses the file');
+    const isTaken = file.isValid() && file.isHDR() && file.startTranscoding();
+    if (!isTaken) throw new Error('the transcoder refuses the file');
     const [bc6h, halves] = [toBc6h, toHalves].map((format) => {
       const texels = new Uint8Array(file.getImageTranscodedSizeInBytes(level, layer, face, format));
       if (!file.transcodeImage(texels, level, layer, face, format, 0, -1, -1))

@@ -243,10 +243,6 @@ HWY_NOINLINE void refine(const Texels& texels, Encoded& best) {
   keepBetter(encode<kSubsets>(texels, code, lines, 1.0f), best);
 }
 
-HWY_INLINE void store(V whole, std::uint32_t* to) {
-  hn::Store(hn::BitCast(DU(), hn::ConvertTo(DS(), whole)), DU(), to);
-}
-
 /// Eight indices leave 1/49 of the squared distances along a line.
 HWY_INLINE V misfitOf(const Moments& first, const Moments& second) {
   const Spread a = spreadOf(first);

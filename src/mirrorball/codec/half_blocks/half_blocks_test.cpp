@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/base/range.h"
+#include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/half_blocks/half_blocks_testing.h"
 #include "mirrorball/codec/half_blocks/half_rows.h"
 #include "mirrorball/codec/texture/texture_testing.h"
@@ -137,6 +138,64 @@ TEST_P(HalfBlockFile, EveryContainerAndShapeComesBack) {
                 ASSERT_TRUE(areEqual(found.samples(), throughBlocks(GetParam(), image).samples()));
               }
         }
+}
+
+/// A KTX 2 header says what the specification wants of these formats: no numbers with a byte order, blocks of 4 x 4.
+/// Three.js and Basis Universal tell UASTC HDR from other ASTC by the colour model.
+TEST_P(HalfBlockFile, Ktx2SaysWhatItHolds) {
+  const Bytes file = bytesOfTexture(writeKtx2, testing::textureOf(3, 6, 1, 3, 8, 8), {.format = GetParam().format});
+  EXPECT_EQ(littleU32(file.data() + 12), GetParam().vk_format);
+  EXPECT_EQ(littleU32(file.data() + 16), 1u) << "typeSize";
+  for (std::size_t level = 0; level < 3; ++level) {
+    EXPECT_EQ(littleU64(file.data() + 80 + 24 * level) % 16, 0u) << "levels begin at whole blocks";
+    EXPECT_EQ(littleU64(file.data() + 88 + 24 * level), level == 0 ? 6u * 4 * 16 : 6u * 16);
+  }
+  const Bytes expected = {44,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          2,
+                          0,
+                          40,
+                          0,  // size, vendor and type, version 2, size of the block
+                          GetParam().color_model,
+                          1,
+                          1,
+                          0,
+                          3,
+                          3,
+                          0,
+                          0,  // BT709, linear; 4 x 4 texels
+                          16,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,  // bytes of a block
+                          0,
+                          0,
+                          127,
+                          0x80,
+                          0,
+                          0,
+                          0,
+                          0,  // 128 bits of colour, unsigned floats
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0x80,
+                          0x3f};  // from 0 to 1
+  const std::uint32_t at = littleU32(file.data() + 48);
+  EXPECT_EQ(Bytes(file.data() + at, file.data() + at + 44), expected);
 }
 
 /// Strips as `convert` makes them put the same bytes where the whole does.

@@ -18,16 +18,28 @@ namespace mirrorball::testing {
 struct HalfBlockCodec {
   const char* name;
   TexelFormat format;
-  const char* in_files;  ///< as `info` names it
+  const char* in_files;      ///< as `info` names it
+  std::uint32_t vk_format;   ///< in KTX 2
+  std::uint8_t color_model;  ///< of its data format descriptor
   bool (*encode)(std::span<const float> samples, int channels, int width, std::span<std::uint8_t> bytes);
   void (*decode_row)(const std::uint8_t* bytes, int begin, Image& image);
 };
 
 inline constexpr HalfBlockCodec kBc6hCodec{
-    "bc6h", TexelFormat::bc6h, "bc6h ufloat", encodeBc6h,
+    "bc6h",
+    TexelFormat::bc6h,
+    "bc6h ufloat",
+    143,
+    133,
+    encodeBc6h,
     [](const std::uint8_t* bytes, int begin, Image& image) { decodeBc6hRow(bytes, false, begin, image); }};
 inline constexpr HalfBlockCodec kUastcHdrCodec{
-    "uastc_hdr", TexelFormat::uastc_hdr, "uastc hdr 4x4", encodeUastcHdr,
+    "uastc_hdr",
+    TexelFormat::uastc_hdr,
+    "uastc hdr 4x4",
+    1000066000,
+    167,
+    encodeUastcHdr,
     [](const std::uint8_t* bytes, int begin, Image& image) { EXPECT_EQ(decodeUastcHdrRow(bytes, begin, image), -1); }};
 
 inline std::size_t halfBlockBytes(const Image& image) {

@@ -158,8 +158,7 @@ Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < images.levels(); ++level) {
         const auto row = static_cast<std::size_t>(rowSize(shape, header.format, level));
-        MIRRORBALL_TRY(image,
-                       unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level)));
+        MIRRORBALL_TRY(image, unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level)));
         images.at(level, face, layer) = std::move(image);
         texels += imageSize(shape, header.format, level);
       }

@@ -45,7 +45,7 @@ constexpr FormatNumberRow kFormatNumberRows[] = {
     {{SampleType::bc6h_unsigned, 3}, 143, 95},
     {{SampleType::bc6h_signed, 3}, 144, 96},
     {{SampleType::uastc_hdr, 3}, 1000066000, 0},  // VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK
-    {{SampleType::bc6h_unsigned, 3}, 0, 94},  // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
+    {{SampleType::bc6h_unsigned, 3}, 0, 94},      // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
 };
 
 std::optional<StoredFormat> formatOf(std::uint32_t FormatNumberRow::*column, std::uint32_t number) {

@@ -65,7 +65,8 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
   if (container != ImageFormatId::ktx2 && options.zstandard_level > 0)
     return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
   if (container != ImageFormatId::ktx2 && !holdsFormat(extensionOf(path), options.format))
-    return fail(ErrorCode::usage, name + ": cannot hold " + nameOf(storedFormat(options.format)) + " texels; use .ktx2");
+    return fail(ErrorCode::usage,
+                name + ": cannot hold " + nameOf(storedFormat(options.format)) + " texels; use .ktx2");
   if (options.zstandard_level > 0) MIRRORBALL_TRY_VOID(withName(name, checkZstandard()));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   return container;

@@ -23,8 +23,7 @@ enum class TexelFormat {
   b10g11r11,   ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
   e5b9g9r9,    ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
   bc6h,        ///< bc6h ufloat, 16 bytes for 4 x 4 texels: 0 to 65504 with an error (conventions/files.md), no alpha
-  uastc_hdr,   ///< astc 4x4 sfloat, 16 bytes for 4 x 4 texels, likewise: UASTC HDR 4x4, which becomes BC6H on the way to
-               ///< a GPU that has no ASTC HDR; KTX2 only
+  uastc_hdr,   ///< astc 4x4 sfloat, likewise: UASTC HDR 4x4, which becomes BC6H for GPUs without ASTC HDR; KTX2 only
   rg_half,     ///< r16g16 sfloat, 4 bytes: red and green only
   rg_float32,  ///< r32g32 sfloat, 8 bytes
 };
@@ -97,10 +96,11 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 /// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the
 ///          one before, rounded down; 1 face, or 6 square ones
 /// errors   usage (an unknown extension, a format or a Zstandard level that only KTX2 has, metadata that cannot be
-///          stored); bad_shape; io; out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
-///          first of the smallest level that has one); too_large; interrupted (when `progress` says so)
+///          stored); bad_shape; io; out_of_range (the first texel that does not fit the format is named; where levels
+///          are compressed, the first of the smallest level that has one); too_large; interrupted (when `progress` says
+///          so)
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
-///          13 million texels a second and core, uastc_hdr 5
+///          13 million texels a second and core, uastc_hdr 3
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});
 
@@ -121,8 +121,8 @@ class TextureWriter {
 
   /// Writes a rectangle of an image's texels; called from several threads at a time.
   ///
-  /// begin    where its first texel is in the image; for compressed formats both numbers are multiples of 4, and so are the
-  ///          rectangle's width and height, except at the image's edges
+  /// begin    where its first texel is in the image; for compressed formats both numbers are multiples of 4, and so are
+  ///          the rectangle's width and height, except at the image's edges
   /// errors   io; out_of_range (the first texel that does not fit the format is named)
   Result<void> write(int face, glm::ivec2 begin, const Image& texels) const {
     return withName(file_.name(), writeTexels(face, begin, texels));

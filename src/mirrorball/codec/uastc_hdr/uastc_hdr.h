@@ -14,8 +14,8 @@ namespace mirrorball {
 /// samples  1 (grey), 3 or 4 channels a texel; alpha is dropped
 /// width    texels of a row
 /// bytes    16 for each block
-/// returns  fitsUnsignedHalf (half_blocks/half_rows.h), as of BC6H: otherwise the bytes are not written. Above 65216 only
-///          blocks of one colour are exact.
+/// returns  fitsUnsignedHalf (half_blocks/half_rows.h), as of BC6H: otherwise the bytes are not written. Above 65216
+///          only blocks of one colour are exact.
 /// cost     about 0.2 µs a texel on one core with AVX-512; the same bits on every processor
 bool encodeUastcHdr(std::span<const float> samples, int channels, int width, std::span<std::uint8_t> bytes);
 
@@ -24,8 +24,8 @@ bool encodeUastcHdr(std::span<const float> samples, int channels, int width, std
 /// bytes    16 for each block
 /// begin    the row of the image that is the first of these; beyond the image's edges texels are dropped
 /// image    of 3 channels
-/// returns  the number of the first block that is none of UASTC HDR, as much other ASTC, or −1; from there on the row is
-///          not decoded
+/// returns  the number of the first block that is none of UASTC HDR, as much other ASTC, or −1; from there on the row
+///          is not decoded
 int decodeUastcHdrRow(const std::uint8_t* bytes, int begin, Image& image);
 
 }  // namespace mirrorball

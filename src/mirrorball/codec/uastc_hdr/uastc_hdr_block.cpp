@@ -12,10 +12,10 @@ namespace {
 
 // A block of one colour, "void extent": its kind, then four coordinates of 13 bits within which the picture has it too,
 // all ones where nothing is said of that.
-constexpr std::uint32_t kSolid = 0x1fc;        // 9 bits
-constexpr std::uint32_t kSolidOfHalves = 7;    // 3 bits: half floats, and two that are always 1
+constexpr std::uint32_t kSolid = 0x1fc;      // 9 bits
+constexpr std::uint32_t kSolidOfHalves = 7;  // 3 bits: half floats, and two that are always 1
 constexpr std::uint64_t kNoExtent = (std::uint64_t{1} << 52) - 1;
-constexpr std::uint32_t kOpaque = 0x3c00;      // alpha: 1 as a half float
+constexpr std::uint32_t kOpaque = 0x3c00;        // alpha: 1 as a half float
 constexpr std::uint32_t kFirstSpecial = 0x7c00;  // infinity, then NaN, then what is negative
 
 /// The upper bits of a block's mode for weights of 4 × 4 texels, one plane of them.
@@ -80,9 +80,7 @@ bool areColorsFinite(const UastcHdrMode& mode, const UastcHdrBlock& block) {
 std::uint16_t halfOfNumber(int number) {
   const int exponent = number >> 11;
   const int mantissa = number & 0x7ff;
-  const int straight = mantissa < 512    ? 3 * mantissa
-                       : mantissa < 1536 ? 4 * mantissa - 512
-                                         : 5 * mantissa - 2048;
+  const int straight = mantissa < 512 ? 3 * mantissa : mantissa < 1536 ? 4 * mantissa - 512 : 5 * mantissa - 2048;
   return static_cast<std::uint16_t>((exponent << 10) + (straight >> 3));
 }
 
@@ -104,10 +102,9 @@ std::optional<UastcHdrBlock> readUastcHdrBlock(HalfBlockBytes bytes) {
     block.partition = static_cast<std::uint8_t>(found - kUastcHdrPartitions.begin());
   }
   const auto color_mode = static_cast<ColorMode>(bits.take(4));
-  const auto* const found =
-      std::find_if(kUastcHdrModes.begin(), kUastcHdrModes.end(), [&](const UastcHdrMode& mode) {
-        return mode.color_mode == color_mode && mode.subsets == subsets && mode.weights == weights;
-      });
+  const auto* const found = std::find_if(kUastcHdrModes.begin(), kUastcHdrModes.end(), [&](const UastcHdrMode& mode) {
+    return mode.color_mode == color_mode && mode.subsets == subsets && mode.weights == weights;
+  });
   if (found == kUastcHdrModes.end()) return {};
   block.mode = static_cast<std::uint8_t>(found - kUastcHdrModes.begin());
 

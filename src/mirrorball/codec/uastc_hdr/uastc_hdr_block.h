@@ -16,7 +16,8 @@ struct UastcHdrBlock {
   std::array<std::uint16_t, 3> color{};  ///< that colour, as half floats
   std::uint8_t mode = 0;                 ///< of kUastcHdrModes
   std::uint8_t partition = 0;            ///< of kUastcHdrPartitions, where there are two subsets
-  std::array<std::uint8_t, 12> colors{};   ///< of the first and of the second subset: unpackColors' bytes, of the mode's levels
+  std::array<std::uint8_t, 12>
+      colors{};  ///< unpackColors' bytes, of the mode's levels: of the first subset, then of the second
   std::array<std::uint8_t, 16> weights{};  ///< of weightLevels, by texels
 };
 

@@ -68,8 +68,8 @@ TEST(UastcHdrBlock, PartsComeBack) {
     }
 }
 
-/// A block of every kind, and its first and last texel as both astcenc 4.2.0 and Basis Universal's transcoder (of three.js
-/// 0.187) decode it. The containers' test has many more of each.
+/// A block of every kind, and its first and last texel as both astcenc 4.2.0 and Basis Universal's transcoder (of
+/// three.js 0.187) decode it. The containers' test has many more of each.
 TEST(UastcHdrBlock, EveryKindDecodesAsOthersDo) {
   struct Vector {
     std::string_view block;
@@ -120,14 +120,15 @@ TEST(UastcHdrBlock, EveryKindDecodesAsOthersDo) {
   EXPECT_EQ(kinds.size(), kUastcHdrModes.size() + 1) << "each is of another kind";
 }
 
-/// By hand: four weights a texel, and each channel of both ends as it is, 8 bits, of blue 7: red from 0 to 2, green 1, blue
-/// 0.25. Weights 0, 1, 2, 3 stand for 0, 21, 43 and 64 64ths.
+/// By hand: four weights a texel, and each channel of both ends as it is, 8 bits, of blue 7: red from 0 to 2, green 1,
+/// blue 0.25. Weights 0, 1, 2, 3 stand for 0, 21, 43 and 64 64ths.
 TEST(UastcHdrBlock, OneByHand) {
   Block block{};
   setBits(block, 5, 2, 2);  // the grid of weights has 4 × 4
   setBits(block, 0, 2, 2);  // four levels: 100 in binary, of which the lowest bit stands at bit 4
   setBits(block, 13, 4, 11);
-  // Half floats of 1, 2 and 0.25 are 15, 16 and 13 times 1024: numbers of 16 bits twice that, and of 8 bits 120, 128, 104.
+  // Half floats of 1, 2 and 0.25 are 15, 16 and 13 times 1024: numbers of 16 bits twice that, and of 8 bits 120, 128,
+  // 104.
   const std::array<std::uint8_t, 6> colors{0, 128, 120, 120, 0x80 | 52, 0x80 | 52};
   for (int i = 0; i < 6; ++i) setBits(block, 17 + 8 * i, 8, colors[std::size_t(i)]);
   for (int texel = 0; texel < 16; ++texel) {

@@ -50,8 +50,8 @@ constexpr std::array<SubmodeOfTwo, 8> kSubmodesOfTwo{{
     {0, {12, 6, 6, 7, 6, 6}, {{{kA, 9}, {kA, 10}, {kA, 11}, {kC, 6}, {kD0, 5}, {kD1, 5}}}},
 }};
 
-// Fields of base_and_offset: the largest channel of the second end; how much less the others are, or in the last submode
-// these themselves; how much less all channels of the first end are.
+// Fields of base_and_offset: the largest channel of the second end; how much less the others are, or in the last
+// submode these themselves; how much less all channels of the first end are.
 enum { kRed, kGreen, kBlue, kScale };
 constexpr Places<4, 7> kPlacesOfBase{
     {0, 1, 2, 3}, {6, 5, 5, 5}, {{{1, 6}, {1, 5}, {2, 6}, {2, 5}, {3, 7}, {3, 6}, {3, 5}}}};
@@ -196,8 +196,7 @@ PackedColors packedTwo(std::size_t number, const FloatEnds& ends, std::size_t la
     const int bits = submode.bits[field] - (is_signed ? 1 : 0);
     const int most = field == kA ? mostOfColor(bits, submode.shift) : mostOf(bits);
     const int steps = stepsWithin(value, step, is_signed ? -(1 << bits) : 0, most);
-    const int there =
-        putField(submode, kPlacesOfTwo, field, lowBits(steps, submode.bits[field]), levels, packed.bytes);
+    const int there = putField(submode, kPlacesOfTwo, field, lowBits(steps, submode.bits[field]), levels, packed.bytes);
     f[field] = (is_signed && there > mostOf(bits) ? there - (2 << bits) : there) << submode.shift;
     return static_cast<float>(f[field]);
   };
@@ -227,7 +226,8 @@ PackedColors packedDirectTwo(const FloatEnds& ends, const EndpointLevels& levels
   for (std::size_t end = 0; end < 2; ++end) {
     for (std::size_t c = 0; c < 2; ++c)
       packed.bytes[2 * c + end] = levelUpTo(levels, rounded(ends[end][c] / 16.0f), kLargestColor >> 4);
-    packed.bytes[4 + end] = levelUpTo(levels, 0x80 | std::min(rounded(ends[end][2] / 32.0f), 0x7f), 0x80 | kLargestColor >> 5);
+    packed.bytes[4 + end] =
+        levelUpTo(levels, 0x80 | std::min(rounded(ends[end][2] / 32.0f), 0x7f), 0x80 | kLargestColor >> 5);
   }
   packed.ends = unpackTwoColors(packed.bytes);
   return packed;

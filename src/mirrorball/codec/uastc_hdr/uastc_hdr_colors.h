@@ -9,7 +9,8 @@
 
 namespace mirrorball {
 
-/// Red, green and blue of both ends of a line, in numbers of 12 bits: nearly the logarithm of light (uastc_hdr_block.h).
+/// Red, green and blue of both ends of a line, in numbers of 12 bits: nearly the logarithm of light
+/// (uastc_hdr_block.h).
 using ColorEnds = std::array<std::array<int, 3>, 2>;
 
 /// The largest number of 12 bits that decodes to a finite half float: 65216.

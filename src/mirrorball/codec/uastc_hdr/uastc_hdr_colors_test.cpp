@@ -61,8 +61,8 @@ TEST(UastcHdrLevels, AreTheSpecifications) {
   }
 }
 
-/// What is packed stands for what is said of it, near to what was wished: ends close together as near as 12 bits have it,
-/// and no ends farther than the coarsest of all ways.
+/// What is packed stands for what is said of it, near to what was wished: ends close together as near as 12 bits have
+/// it, and no ends farther than the coarsest of all ways.
 TEST(UastcHdrColors, ArePackedNearWhatIsWished) {
   std::mt19937 random(17);
   for (const ColorMode mode : {ColorMode::two_colors, ColorMode::base_and_offset})

@@ -9,9 +9,9 @@
 
 namespace mirrorball {
 
-/// The tables of UASTC HDR 4x4: those blocks of ASTC HDR that have a counterpart in BC6H. From: Binomial, "UASTC HDR 4x4
-/// Texture Specification" (Basis Universal); what ASTC's numbers mean: Khronos Data Format Specification 1.3, chapter
-/// "ASTC Compressed Texture Image Formats".
+/// The tables of UASTC HDR 4x4: those blocks of ASTC HDR that have a counterpart in BC6H. From: Binomial, "UASTC HDR
+/// 4x4 Texture Specification" (Basis Universal); what ASTC's numbers mean: Khronos Data Format Specification 1.3,
+/// chapter "ASTC Compressed Texture Image Formats".
 
 /// How the two ends of a line stand in a block, by ASTC's number of the mode ("CEM").
 enum class ColorMode : std::uint8_t {
@@ -33,17 +33,17 @@ struct UastcHdrMode {
 
 /// All but the block of one colour.
 inline constexpr auto kUastcHdrModes = std::to_array<UastcHdrMode>({
-    {ColorMode::two_colors, 1, 3, 256},      {ColorMode::two_colors, 1, 4, 256},
-    {ColorMode::two_colors, 1, 5, 256},      {ColorMode::two_colors, 1, 6, 256},
-    {ColorMode::two_colors, 1, 8, 256},      {ColorMode::two_colors, 1, 10, 256},
-    {ColorMode::two_colors, 1, 12, 256},     {ColorMode::two_colors, 1, 16, 192},
-    {ColorMode::base_and_offset, 1, 3, 256}, {ColorMode::base_and_offset, 1, 4, 256},
-    {ColorMode::base_and_offset, 1, 5, 256}, {ColorMode::base_and_offset, 1, 6, 256},
-    {ColorMode::base_and_offset, 1, 8, 256}, {ColorMode::base_and_offset, 1, 10, 256},
+    {ColorMode::two_colors, 1, 3, 256},       {ColorMode::two_colors, 1, 4, 256},
+    {ColorMode::two_colors, 1, 5, 256},       {ColorMode::two_colors, 1, 6, 256},
+    {ColorMode::two_colors, 1, 8, 256},       {ColorMode::two_colors, 1, 10, 256},
+    {ColorMode::two_colors, 1, 12, 256},      {ColorMode::two_colors, 1, 16, 192},
+    {ColorMode::base_and_offset, 1, 3, 256},  {ColorMode::base_and_offset, 1, 4, 256},
+    {ColorMode::base_and_offset, 1, 5, 256},  {ColorMode::base_and_offset, 1, 6, 256},
+    {ColorMode::base_and_offset, 1, 8, 256},  {ColorMode::base_and_offset, 1, 10, 256},
     {ColorMode::base_and_offset, 1, 12, 256}, {ColorMode::base_and_offset, 1, 16, 256},
-    {ColorMode::two_colors, 2, 3, 64},       {ColorMode::two_colors, 2, 4, 40},
-    {ColorMode::base_and_offset, 2, 3, 256}, {ColorMode::base_and_offset, 2, 4, 256},
-    {ColorMode::base_and_offset, 2, 5, 192}, {ColorMode::base_and_offset, 2, 6, 128},
+    {ColorMode::two_colors, 2, 3, 64},        {ColorMode::two_colors, 2, 4, 40},
+    {ColorMode::base_and_offset, 2, 3, 256},  {ColorMode::base_and_offset, 2, 4, 256},
+    {ColorMode::base_and_offset, 2, 5, 192},  {ColorMode::base_and_offset, 2, 6, 128},
     {ColorMode::base_and_offset, 2, 8, 80},
 });
 
@@ -66,9 +66,9 @@ static_assert(uastcHdrEndpointsFill());
 
 /// A partition that both ASTC and BC6H have.
 struct UastcHdrPartition {
-  std::uint16_t seed;      ///< ASTC's number
-  std::uint8_t bc6h;       ///< of kBc6hPartitions
-  bool is_turned;          ///< ASTC's first subset is BC6H's second one
+  std::uint16_t seed;  ///< ASTC's number
+  std::uint8_t bc6h;   ///< of kBc6hPartitions
+  bool is_turned;      ///< ASTC's first subset is BC6H's second one
 
   /// The texels of ASTC's second subset: bit x + 4 y.
   constexpr std::uint16_t second() const {
@@ -76,9 +76,9 @@ struct UastcHdrPartition {
   }
 };
 inline constexpr auto kUastcHdrPartitions = std::to_array<UastcHdrPartition>({
-    {28, 0, false},  {20, 1, false},  {16, 2, true},    {29, 3, false},  {91, 4, true},   {9, 5, false},
-    {107, 6, true},  {72, 7, true},   {149, 8, false},  {204, 9, true},  {50, 10, false}, {114, 11, true},
-    {496, 12, true}, {17, 13, true},  {78, 14, false},  {39, 15, true},  {252, 17, true}, {828, 18, true},
+    {28, 0, false},  {20, 1, false},   {16, 2, true},    {29, 3, false},  {91, 4, true},   {9, 5, false},
+    {107, 6, true},  {72, 7, true},    {149, 8, false},  {204, 9, true},  {50, 10, false}, {114, 11, true},
+    {496, 12, true}, {17, 13, true},   {78, 14, false},  {39, 15, true},  {252, 17, true}, {828, 18, true},
     {43, 19, false}, {156, 20, false}, {116, 21, false}, {210, 22, true}, {476, 23, true}, {273, 24, false},
     {684, 25, true}, {359, 26, false}, {246, 29, true},
 });

@@ -94,8 +94,7 @@ HWY_NOINLINE void pack(const Texels& texels, const UastcHdrMode& mode, Lines& li
   alignas(64) float ends[4][3][kHalfBlockBatch];
   alignas(64) float bytes[12][kHalfBlockBatch];
   for (int e = 0; e < 2 * kSubsets; ++e)
-    for (int c = 0; c < 3; ++c)
-      hn::Store((lines.end[e][c] + texels.middle[c]) * set(1.0f / 16.0f), D(), ends[e][c]);
+    for (int c = 0; c < 3; ++c) hn::Store((lines.end[e][c] + texels.middle[c]) * set(1.0f / 16.0f), D(), ends[e][c]);
   const EndpointLevels& levels = endpointLevels(mode.endpoints);
   const auto step = static_cast<std::size_t>(numbersOf(mode.color_mode));
   for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
@@ -243,8 +242,8 @@ HWY_INLINE Lines linesOf(const Texels& texels, VU code) {
     return offsetLines<kSubsets>(texels, code);
 }
 
-/// Encodes in each of some partitions with the first of some counts of weights; fits lines to the best of these, and encodes
-/// them with all counts.
+/// Encodes in each of some partitions with the first of some counts of weights; fits lines to the best of these, and
+/// encodes them with all counts.
 template <ColorMode kColorMode, int kSubsets, int kFirst, int... kOthers>
 HWY_NOINLINE void tryPartitions(const Texels& texels, std::span<const VU> codes, Encoded& best) {
   Encoded first = nothingYet();
@@ -274,10 +273,6 @@ HWY_NOINLINE Encoded bestOf(const Texels& texels) {
   choosePartitions<UastcHdrFormat, kTriedPartitionsOfTwo>(texels, misfitOfTwo, codes_of_two);
   tryPartitions<kTwo, 2, 4, 3>(texels, codes_of_two, best);
   return best;
-}
-
-HWY_INLINE void store(V whole, std::uint32_t* to) {
-  hn::Store(hn::BitCast(DU(), hn::ConvertTo(DS(), whole)), DU(), to);
 }
 
 }  // namespace

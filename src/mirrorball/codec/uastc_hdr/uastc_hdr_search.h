@@ -7,8 +7,8 @@
 
 namespace mirrorball {
 
-/// Finds, for each block of a batch, a mode, partition, colours and weights that come near its texels; of a block of one
-/// colour that colour itself.
+/// Finds, for each block of a batch, a mode, partition, colours and weights that come near its texels; of a block of
+/// one colour that colour itself.
 ///
 /// returns  the same bits on every processor
 /// cost     about 3 µs a block with AVX-512

@@ -85,27 +85,6 @@ TEST(UastcHdr, EveryModeThatIsTriedIsOfUse) {
               ::testing::UnorderedElementsAre("11 1 16", "11 1 12", "7 1 16", "7 2 8", "7 2 6", "11 2 4", "11 2 3"));
 }
 
-/// A KTX 2 header says what three.js and Basis Universal look for: ASTC's number, and the colour model that tells this
-/// from other ASTC.
-TEST(UastcHdrFile, Ktx2SaysWhatItHolds) {
-  const Bytes file =
-      bytesOfTexture(writeKtx2, testing::textureOf(3, 6, 1, 3, 8, 8), {.format = TexelFormat::uastc_hdr});
-  EXPECT_EQ(littleU32(file.data() + 12), 1000066000u) << "VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK";
-  EXPECT_EQ(littleU32(file.data() + 16), 1u) << "typeSize";
-  for (std::size_t level = 0; level < 3; ++level) {
-    EXPECT_EQ(littleU64(file.data() + 80 + 24 * level) % 16, 0u) << "levels begin at whole blocks";
-    EXPECT_EQ(littleU64(file.data() + 88 + 24 * level), level == 0 ? 6u * 4 * 16 : 6u * 16);
-  }
-  const Bytes expected = {44,  0, 0,   0,    0, 0, 0,    0,
-                          2,   0, 40,  0,                        // size, vendor and type, version 2, size of the block
-                          167, 1, 1,   0,    3, 3, 0,    0,      // UASTC_HDR_4X4, BT709, linear; 4 x 4 texels
-                          16,  0, 0,   0,    0, 0, 0,    0,      // bytes of a block
-                          0,   0, 127, 0x80, 0, 0, 0,    0,      // 128 bits of colour, unsigned floats
-                          0,   0, 0,   0,    0, 0, 0x80, 0x3f};  // from 0 to 1
-  const std::uint32_t at = littleU32(file.data() + 48);
-  EXPECT_EQ(Bytes(file.data() + at, file.data() + at + 44), expected);
-}
-
 /// Files that leave ASTC's number out, or call themselves ASTC (162), hold the same blocks.
 TEST(UastcHdrFile, OtherFormsAreRead) {
   const Image image = testing::colorRamp(8, 4);

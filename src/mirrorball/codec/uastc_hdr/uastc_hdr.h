@@ -16,7 +16,7 @@ namespace mirrorball {
 /// bytes    16 for each block
 /// returns  fitsUnsignedHalf (half_blocks/half_rows.h), as of BC6H: otherwise the bytes are not written. Above 65216
 ///          only blocks of one colour are exact.
-/// cost     about 0.2 µs a texel on one core with AVX-512; the same bits on every processor
+/// cost     about 0.3 µs a texel on one core with AVX-512; the same bits on every processor
 bool encodeUastcHdr(std::span<const float> samples, int channels, int width, std::span<std::uint8_t> bytes);
 
 /// Decodes one row of blocks.

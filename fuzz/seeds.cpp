@@ -28,6 +28,8 @@
 #include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
 #include "mirrorball/codec/tiff/tiff_testing.h"
+#include "mirrorball/codec/uastc_hdr/uastc_hdr_block.h"
+#include "mirrorball/codec/uastc_hdr/uastc_hdr_levels.h"
 #include "mirrorball/image/small_float.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
@@ -54,6 +56,23 @@ struct Corpus {
   }
 };
 
+/// Blocks of every kind, and one that is none.
+void addUastcHdrBlocks(Corpus& corpus) {
+  Bytes all(kHalfBlockSize);
+  for (std::uint8_t kind = 0; kind <= kUastcHdrModes.size(); ++kind) {
+    UastcHdrBlock block{.is_solid = kind == kUastcHdrModes.size(), .color = {0x3c00, 0x3800, 0x3400}};
+    block.mode = block.is_solid ? std::uint8_t{0} : kind;
+    const UastcHdrMode& mode = kUastcHdrModes[block.mode];
+    const EndpointLevels& levels = endpointLevels(mode.endpoints);
+    for (std::size_t i = 0; i < std::size_t(mode.numbers()); ++i) block.colors[i] = levels.nearest[9 * i + kind];
+    for (std::size_t i = 0; i < 16; ++i) block.weights[i] = static_cast<std::uint8_t>(i % std::size_t(mode.weights));
+    std::array<std::uint8_t, kHalfBlockSize> bytes;
+    writeUastcHdrBlock(block, bytes);
+    all.insert(all.end(), bytes.begin(), bytes.end());
+  }
+  corpus.add("uastc_hdr", "every_kind", all);
+}
+
 void addTextures(Corpus& corpus) {
   const ImageSet cube = textureOf(2, 6, 1, 3, 2, 2);
   corpus.add("ktx2", "half_cube", bytesOfTexture(writeKtx2, cube));
@@ -70,6 +89,8 @@ void addTextures(Corpus& corpus) {
   corpus.add(
       "ktx2", "bc6h_zstandard",
       bytesOfTexture(writeKtx2, textureOf(1, 1, 1, 3, 9, 5), {.format = TexelFormat::bc6h, .zstandard_level = 3}));
+  corpus.add("ktx2", "uastc_hdr_cube",
+             bytesOfTexture(writeKtx2, textureOf(2, 6, 1, 3, 5, 5), {.format = TexelFormat::uastc_hdr}));
   corpus.add("dds", "half_cube", bytesOfTexture(writeDds, cube));
   corpus.add("dds", "bc6h_array", bytesOfTexture(writeDds, textureOf(2, 1, 2, 3, 6, 5), {.format = TexelFormat::bc6h}));
   corpus.add("dds", "packed_array",
@@ -480,6 +501,7 @@ int main(int count, char** arguments) {
   }
   mirrorball::Corpus corpus{arguments[1]};
   mirrorball::addTextures(corpus);
+  mirrorball::addUastcHdrBlocks(corpus);
   mirrorball::addImages(corpus);
   mirrorball::addColoredPngs(corpus);
   mirrorball::addTiffs(corpus);

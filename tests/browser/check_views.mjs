@@ -75,14 +75,22 @@ function exchanged(files, a, b) {
   return list;
 }
 
-/// What is to be shown, and in which views it must differ from our pictures. There is no .ktx2 and no .dds: of those
-/// three.js 0.187 makes cubes only where texels are compressed in blocks or have 8-bit channels, as none of ours.
+/// A cube in one file, of blocks that three.js has made into what the browser's GPU takes.
+function writeBlocks(name, options) {
+  run(`convert uv --to cube --size ${side_px}${options} --format uastc_hdr -o maps/${name}.ktx2`);
+  return [`maps/${name}.ktx2`];
+}
+
+/// What is to be shown, and in which views it must differ from our pictures. Of .ktx2 and .dds three.js 0.187 makes
+/// cubes only where texels are compressed in blocks or have 8-bit channels.
 function makeMaps() {
   const cube = writeCube('three', 'png');
   const panorama = writePanorama('three', 'png');
   const right = [
     { name: 'six png', files: cube, views: allViews },
     { name: 'six hdr', files: writeCube('three', 'hdr') },
+    { name: 'ktx2', files: writeBlocks('three', ' --for three') },
+    { name: 'ktx2 with levels', files: writeBlocks('three_levels', ' --for three --mips --zstd 3'), views: allViews },
     { name: 'panorama png', files: panorama },
     { name: 'panorama hdr', files: writePanorama('three', 'hdr') },
     { name: 'panorama exr', files: writePanorama('three', 'exr'), views: allViews },
@@ -93,6 +101,7 @@ function makeMaps() {
   const wrong = [
     { name: 'six as OpenGL has them', files: writeCube('opengl', 'png', ''), views: allViews,
       differ: namesOf(allViews) },
+    { name: 'ktx2 as OpenGL has it', files: writeBlocks('opengl', ''), differ: namesOf(views) },
     { name: 'px and nx exchanged', files: exchanged(cube, 0, 1), differ: ['+X', '-X', ball] },
     { name: 'py and ny exchanged', files: exchanged(cube, 2, 3), differ: ['+Y', '-Y', ball] },
     { name: 'pz mirrored', files: cube, damage: { image: 4, matrix: [-1, 0, 0, 1, 0, 0] }, differ: ['+Z', ball] },

@@ -5,6 +5,7 @@ import * as THREE from 'three';
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { HDRCubeTextureLoader } from 'three/addons/loaders/HDRCubeTextureLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 
 const side_px = 256;
 const samples = 2;  // across and down a pixel
@@ -17,6 +18,9 @@ renderer.setSize(side_px * samples, side_px * samples);
 
 const cubeLoaders = { png: THREE.CubeTextureLoader, hdr: HDRCubeTextureLoader };
 const panoramaLoaders = { png: THREE.TextureLoader, hdr: HDRLoader, exr: EXRLoader };
+
+const ktx2Loader = new KTX2Loader().setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/')
+  .detectSupport(renderer);
 
 function contextOf(width, height) {
   const canvas = Object.assign(document.createElement('canvas'), { width, height });
@@ -33,8 +37,10 @@ function transformed(image, matrix) {
   return context.canvas;
 }
 
-/// A map as a user of three.js would load it; a cube has six files, a panorama one. `damage` is done to one image.
+/// A map as a user of three.js would load it; a cube has six files or is a .ktx2, a panorama has one. `damage` is done
+/// to one image.
 async function load({ files, damage }) {
+  if (files[0].endsWith('.ktx2')) return ktx2Loader.loadAsync(files[0]);
   const isCube = files.length === 6;
   const extension = files[0].split('.').pop();
   const loader = new (isCube ? cubeLoaders : panoramaLoaders)[extension]();

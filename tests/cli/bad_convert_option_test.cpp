@@ -31,7 +31,7 @@ class BadConvertOptionTest : public CliTest {
 
 TEST_F(BadConvertOptionTest, AWrongNameListsTheRightOnes) {
   refuseAll({
-      {"--to cube -o a.ktx2 --format foo", {"'foo'", "auto, half, float32, b10g11r11, e5b9g9r9, bc6h"}},
+      {"--to cube -o a.ktx2 --format foo", {"'foo'", "auto, half, float32, b10g11r11, e5b9g9r9, bc6h, uastc_hdr"}},
       {"--to cube -o a.ktx2 --mips --mip gauss", {"--mip", "'gauss'", "auto, solid-angle, box"}},
       {"--to cube -o a.exr --flip sideways", {"'sideways'", "none, horizontal, vertical, both"}},
       {"--to cube -o a.exr --filter bicubik", {"--filter", "did you mean 'bicubic'?", "bilinear, bicubic"}},

@@ -10,11 +10,13 @@ import { isDeepStrictEqual } from 'node:util';
 
 import * as ktx from 'ktx-parse';
 import parseDds from 'parse-dds';
-import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGB_BPTC_UNSIGNED_Format, RGBAFormat, RGBFormat,
-  RGFormat, UnsignedInt101111Type, UnsignedInt5999Type } from 'three';
+import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGB_BPTC_UNSIGNED_Format, RGBA_ASTC_4x4_Format,
+  RGBAFormat, RGBFormat, RGFormat, UnsignedInt101111Type, UnsignedInt5999Type } from 'three';
 import { DDSLoader } from 'three/addons/loaders/DDSLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
+
+import { loadTranscoder, transcoded } from './transcoder.mjs';
 
 const formats = {
   half: { vk: ktx.VK_FORMAT_R16G16B16A16_SFLOAT, type: HalfFloatType, format: RGBAFormat, word: 2, size: 8,
@@ -32,10 +34,14 @@ const formats = {
   rg_float32: { vk: ktx.VK_FORMAT_R32G32_SFLOAT, type: FloatType, format: RGFormat, word: 4, size: 8, bits: [32, 32],
     decode: (view, at) => [...[0, 4].map((i) => view.getFloat32(at + i, true)), 0, 1] },
   // Its blocks are compared byte by byte.
-  bc6h: { vk: ktx.VK_FORMAT_BC6H_UFLOAT_BLOCK, word: 1, size: 16, bits: [128], side: 4,
-    decode: (view, at) => [...new Uint8Array(view.buffer, view.byteOffset + at, 16)] },
+  bc6h: { vk: ktx.VK_FORMAT_BC6H_UFLOAT_BLOCK, word: 1, size: 16, bits: [128], side: 4, model: 133, decode: blockAt },
+  uastc_hdr: { vk: ktx.VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK_EXT, type: HalfFloatType, format: RGBA_ASTC_4x4_Format, word: 1,
+    size: 16, bits: [128], side: 4, model: 167, decode: blockAt },
 };
-const KHR_DF_MODEL_BC6H = 133;  // ktx-parse has no name for it
+
+function blockAt(view, at) {
+  return [...new Uint8Array(view.buffer, view.byteOffset + at, 16)];
+}
 
 /// VK_FORMAT_B10G11R11_UFLOAT_PACK32: exponents of 5 bits with bias 15, above mantissas of 6, 6 and 5 bits. The test's
 /// values are normal.
@@ -57,7 +63,8 @@ function expectEqual(found, expected, what) {
   console.error(`${what}: found ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 }
 
-/// Compares texels, or blocks where they are compressed, one behind the other with the part of the list that begins at texel `first`; returns its end.
+/// Compares texels, or blocks where they are compressed, one behind the other with the part of the list that begins at
+/// texel `first`; returns its end.
 function checkTexels(bytes, count, file, first, what) {
   const { decode, size, side } = formats[file.format];
   const numbers = side ? size : 4;
@@ -77,7 +84,7 @@ function levelTexels(file, level) {
 }
 
 async function checkKtx2(file, bytes) {
-  const { vk, word, size, bits, type, format, side = 1 } = formats[file.format];
+  const { vk, word, size, bits, type, format, side = 1, model = ktx.KHR_DF_MODEL_RGBSDA } = formats[file.format];
   const texture = ktx.read(bytes);
   const { name } = file;
   expectEqual(texture.vkFormat, vk, `${name}, vkFormat`);
@@ -91,7 +98,6 @@ async function checkKtx2(file, bytes) {
   expectEqual(texture.supercompressionScheme, scheme, `${name}, supercompressionScheme`);
 
   const [descriptor] = texture.dataFormatDescriptor;
-  const model = side > 1 ? KHR_DF_MODEL_BC6H : ktx.KHR_DF_MODEL_RGBSDA;
   expectEqual(descriptor.colorModel, model, `${name}, colour model`);
   expectEqual([...descriptor.texelBlockDimension], [side - 1, side - 1, 0, 0], `${name}, size of a block`);
   expectEqual(descriptor.colorPrimaries, ktx.KHR_DF_PRIMARIES_BT709, `${name}, primaries`);
@@ -114,20 +120,45 @@ async function checkKtx2(file, bytes) {
     first = checkTexels(data, count, file, first, `${name}, level ${i}`);
   });
 
-  // three.js makes no cubes and arrays of uncompressed files, and takes BC6H from DDS only.
-  if (file.faces > 1 || file.layers > 1 || side > 1) return;
+  if (file.halves) checkTranscoded(file, bytes);
+
+  // three.js makes no cubes and arrays of uncompressed files, no arrays of cubes, and takes BC6H from DDS only.
+  const isCube = file.faces > 1;
+  if (file.layers > 1 || !format || (isCube && !file.halves)) return;
   const loader = new KTX2Loader();
-  loader.workerConfig = {};  // what it asks a renderer for: compressed formats only
+  loader.workerConfig = { astcHDRSupported: true };  // what it asks a renderer for: compressed formats only
   const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
   const loaded = await new Promise((resolve, reject) => loader.parse(copy, resolve, reject));
   expectEqual([loaded.type, loaded.format], [type, format], `${name}, three.js' type and format`);
   expectEqual(loaded.colorSpace, LinearSRGBColorSpace, `${name}, three.js' colour space`);
-  expectEqual(loaded.mipmaps.length, file.levels, `${name}, three.js' mipmaps`);
+  expectEqual(loaded.isCubeTexture ?? false, isCube, `${name}, three.js' cube`);
+  const images = isCube ? loaded.image.map((face) => face.mipmaps) : [loaded.mipmaps];
+  expectEqual(images.map((mipmaps) => mipmaps.length), images.map(() => file.levels), `${name}, three.js' mipmaps`);
   first = 0;
-  loaded.mipmaps.forEach(({ data, width, height }, i) => {
-    const level = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-    first = checkTexels(level, width * height, file, first, `${name}, three.js' level ${i}`);
-  });
+  for (let level = 0; level < file.levels; ++level)
+    images.forEach((mipmaps, face) => {
+      const { data } = mipmaps[level];
+      const texels = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+      const what = `${name}, three.js' level ${level}, face ${face}`;
+      first = checkTexels(texels, levelTexels(file, level), file, first, what);
+    });
+}
+
+/// Basis Universal's transcoder takes every image, to BC6H and to the half floats that our decoder makes of it.
+function checkTranscoded(file, bytes) {
+  let first = 0;
+  for (let level = 0; level < file.levels; ++level)
+    for (let layer = 0; layer < file.layers; ++layer)
+      for (let face = 0; face < file.faces; ++face) {
+        const what = `${file.name}, level ${level}, layer ${layer}, face ${face}`;
+        const { halves, bc6h } = transcoded(transcoder, bytes, level, layer, face);
+        const colors = halves.filter((_, i) => i % 4 < 3);
+        const other = colors.findIndex((half, i) => half !== file.halves[first + i]);
+        expectEqual(other, -1, `${what}, the first half float that is another`);
+        expectEqual(bc6h.length, levelTexels(file, level) * 16, `${what}, bytes of BC6H`);
+        first += colors.length;
+      }
+  expectEqual(first, file.halves.length, `${file.name}, texels`);
 }
 
 /// three.js' reader, for what parse-dds does not take.
@@ -201,6 +232,7 @@ function checkKtx1(filament, file, bytes) {
 
 const folder = process.argv[2];
 const filament = await loadFilament();
+const transcoder = await loadTranscoder();
 const files = JSON.parse(readFileSync(join(folder, 'files.json'), 'utf8'));
 for (const file of files) {
   const bytes = readFileSync(join(folder, file.name));

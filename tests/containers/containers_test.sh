@@ -11,7 +11,7 @@ scratch=$3
 
 sh "$source_dir/../npm_packages.sh" "$source_dir" "$scratch"
 # Node looks for packages beside the script.
-cp "$source_dir/check_containers.mjs" "$scratch/"
+cp "$source_dir/check_containers.mjs" "$source_dir/transcoder.mjs" "$scratch/"
 
 rm -rf "$scratch/files"
 mkdir "$scratch/files"
@@ -25,14 +25,20 @@ fails() {
     exit 1
   fi
 }
-cp "$scratch/files/half_cube.ktx2" "$scratch/kept"
-size=$(wc -c <"$scratch/kept")
-printf '\377' | dd of="$scratch/files/half_cube.ktx2" bs=1 seek=$((size - 10)) conv=notrunc 2>/dev/null
-fails "a wrong texel"
-cp "$scratch/kept" "$scratch/files/half_cube.ktx2"
-printf '\007' | dd of="$scratch/files/half_cube.ktx2" bs=1 seek=20 conv=notrunc 2>/dev/null
-fails "a wrong width"
-cp "$scratch/kept" "$scratch/files/half_cube.ktx2"
+# usage: spoil FILE AT BYTE WHAT: one byte of a file is another, so many bytes from its beginning or, if AT is negative,
+# from its end.
+spoil() {
+  cp "$scratch/files/$1" "$scratch/kept"
+  at=$2
+  if [ "$at" -lt 0 ]; then at=$(($(wc -c <"$scratch/kept") + at)); fi
+  printf "$3" | dd of="$scratch/files/$1" bs=1 seek="$at" conv=notrunc 2>/dev/null
+  fails "$4"
+  cp "$scratch/kept" "$scratch/files/$1"
+}
+spoil half_cube.ktx2 -10 '\377' "a wrong texel"
+spoil half_cube.ktx2 20 '\007' "a wrong width"
 # OpenGL's own number, which Filament does not know.
-printf '\073' | dd of="$scratch/files/b10g11r11_cube.ktx" bs=1 seek=16 conv=notrunc 2>/dev/null
-fails "a glType that Filament does not take"
+spoil b10g11r11_cube.ktx 16 '\073' "a glType that Filament does not take"
+# Of the first of 64 × 24 blocks: two planes of weights; of the last: another colour.
+spoil uastc_hdr_kinds.ktx2 $((1 - 64 * 24 * 16)) '\004' "a block that cannot become BC6H"
+spoil uastc_hdr_kinds.ktx2 -4 '\001' "a wrong colour in a block"

@@ -46,7 +46,7 @@ inline constexpr std::array<ImageFormat, 13> kImageFormats{{
     {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true, "grey and RGB, baseline and progressive",
      "MIRRORBALL_JPEG"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
-     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H; Zstandard"},
+     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H, UASTC HDR 4x4; Zstandard"},
     {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, true, "the same formats, in either byte order"},
     {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files"},
     {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,

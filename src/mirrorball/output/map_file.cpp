@@ -88,9 +88,12 @@ Result<void> MapFile::setFormat(const MapFileOptions& options) {
     const TexelFormatName& format = kTexelFormatNames[static_cast<std::size_t>(*format_)];
     if (extensionOf(path_) != "exr" || !format.is_in_exr)
       return fail(ErrorCode::usage, path_ + ": cannot hold " + std::string(format.name) + " texels; .exr has " +
-                                        join(texelFormatNames(true), ", ", " and ") + ", " +
-                                        writtenExtensions(Holds::texture, " and ") + " have all formats");
+                                        join(texelFormatNames("exr"), ", ", " and ") + ", .ktx2 has all formats");
   }
+  if (format_ && is_texture_ && !holdsFormat(extensionOf(path_), *format_))
+    return fail(ErrorCode::usage, path_ + ": cannot hold " +
+                                      std::string(kTexelFormatNames[static_cast<std::size_t>(*format_)].name) +
+                                      " texels; .ktx2 has all formats");
   zstandard_level_ = options.zstandard_level;
   if (zstandard_level_ > 0 && extensionOf(path_) != "ktx2")
     return fail(ErrorCode::usage, path_ + ": has no Zstandard compression; .ktx2 has");

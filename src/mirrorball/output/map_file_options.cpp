@@ -23,13 +23,13 @@ std::string formatAliases() {
   return aliases;
 }
 
-const std::string kFormatChoices = "auto|" + join(texelFormatNames(false), "|");
+const std::string kFormatChoices = "auto|" + join(texelFormatNames(), "|");
 const std::string kFormatAliases = formatAliases();
-const std::string kFormatHelp = "texel format: " + join(texelFormatNames(true), ", ", " or ") + " in .exr; " +
-                                join(texelFormatNames(false), ", ", " or ") + " in " +
+const std::string kFormatHelp = "texel format: " + join(texelFormatNames("exr"), ", ", " or ") + " in .exr; " +
+                                join(texelFormatNames("dds"), ", ", " or ") + " in " +
                                 writtenExtensions(Holds::texture, " and ") +
-                                "; auto is float32 in .exr, and half in textures if it holds all values; bc6h is "
-                                "compressed to one byte per texel";
+                                ", in .ktx2 uastc_hdr too; auto is float32 in .exr, and half in textures if it holds "
+                                "all values; bc6h and uastc_hdr are compressed to one byte per texel";
 
 constexpr ChoiceField<MapFileOptions> kFormatField{
     [](const MapFileOptions& options) { return options.format ? static_cast<int>(*options.format) + 1 : 0; },

@@ -7,19 +7,13 @@
 
 namespace mirrorball {
 
-/// The largest value of BC6H: 65504, a half float's.
-inline constexpr float kLargestBc6h = 65504.0f;
-
-/// Whether all red, green and blue lies in [0, kLargestBc6h]. NaN does not.
-bool fitsBc6h(std::span<const float> samples, int channels);
-
 /// Encodes rows of texels as rows of unsigned blocks. Columns and rows that are missing in the last block of a row or
 /// column repeat their neighbours.
 ///
 /// samples  1 (grey), 3 or 4 channels a texel; alpha is dropped
 /// width    texels of a row
 /// bytes    16 for each block
-/// returns  fitsBc6h: otherwise the bytes are not written
+/// returns  fitsUnsignedHalf (half_blocks/half_rows.h): otherwise the bytes are not written
 /// cost     about 0.07 µs a texel on one core with AVX-512; the same bits on every processor
 bool encodeBc6h(std::span<const float> samples, int channels, int width, std::span<std::uint8_t> bytes);
 

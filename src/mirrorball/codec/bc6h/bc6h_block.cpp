@@ -4,56 +4,10 @@
 #include <cassert>
 #include <cstddef>
 
-#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/half_blocks/block_bits.h"
 
 namespace mirrorball {
 namespace {
-
-using BlockBytes = std::span<const std::uint8_t, kBc6hBlockSize>;
-
-/// The bits of a block, of which the lowest ones are taken.
-class BitReader {
- public:
-  explicit BitReader(BlockBytes bytes) : low_(littleU64(bytes.data())), high_(littleU64(bytes.data() + 8)) {}
-
-  /// 1 to 31 bits.
-  std::uint32_t take(int count) {
-    const auto bits = static_cast<std::uint32_t>(low_ & ((std::uint64_t{1} << count) - 1));
-    low_ = low_ >> count | high_ << (64 - count);
-    high_ >>= count;
-    return bits;
-  }
-
- private:
-  std::uint64_t low_;
-  std::uint64_t high_;
-};
-
-/// Puts bits above those that are there.
-class BitWriter {
- public:
-  /// 1 to 31 of the lowest bits; what is above them does not matter.
-  void put(std::uint32_t bits, int count) {
-    const std::uint64_t value = bits & ((std::uint64_t{1} << count) - 1);
-    pending_ |= value << at_;
-    at_ += count;
-    if (at_ < 64) return;
-    words_[full_++] = pending_;
-    at_ -= 64;
-    pending_ = value >> (count - at_);
-  }
-
-  void store(std::span<std::uint8_t, kBc6hBlockSize> bytes) const {
-    assert(full_ == 2 && at_ == 0);
-    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(words_[i / 8] >> 8 * (i % 8));
-  }
-
- private:
-  std::array<std::uint64_t, 2> words_{};
-  std::size_t full_ = 0;  // words
-  std::uint64_t pending_ = 0;
-  int at_ = 0;  // of the next bit in what is pending
-};
 
 /// The mode of each code of five bits, or −1. Those of two bits stand for all whose lowest two are theirs.
 constexpr std::array<int, 32> modesByCode() {
@@ -111,12 +65,12 @@ std::uint16_t halfOf(int value, bool is_signed) {
 
 }  // namespace
 
-std::optional<Bc6hBlock> readBc6hBlock(BlockBytes bytes, bool is_signed) {
+std::optional<Bc6hBlock> readBc6hBlock(HalfBlockBytes bytes, bool is_signed) {
   Bc6hBlock block;
   block.mode = kModesByCode[bytes[0] & 31u];
   if (block.mode < 0) return {};
   const Bc6hMode& mode = kBc6hModes[std::size_t(block.mode)];
-  BitReader bits(bytes);
+  BlockBitReader bits(BlockBits::of(bytes));
   bits.take(mode.code_bits);
   for (std::size_t i = 0; i < mode.run_count; ++i) {
     const Bc6hRun& run = mode.runs[i];
@@ -134,7 +88,7 @@ void writeBc6hBlock(const Bc6hBlock& block, std::span<std::uint8_t, kBc6hBlockSi
   const Bc6hMode& mode = kBc6hModes[std::size_t(block.mode)];
   std::array<int, 12> stored = block.endpoints;
   for (std::size_t i = 3; i < 12 && mode.is_delta; ++i) stored[i] -= stored[i % 3];
-  BitWriter bits;
+  BlockBitWriter bits;
   bits.put(static_cast<std::uint32_t>(mode.code), mode.code_bits);
   for (std::size_t i = 0; i < mode.run_count; ++i) {
     const Bc6hRun& run = mode.runs[i];
@@ -143,10 +97,11 @@ void writeBc6hBlock(const Bc6hBlock& block, std::span<std::uint8_t, kBc6hBlockSi
   if (mode.subsets == 2) bits.put(static_cast<std::uint32_t>(block.partition), 5);
   for (std::size_t texel = 0; texel < 16; ++texel)
     bits.put(block.indices[texel], bc6hIndexBits(mode.subsets) - (isAnchor(mode, block.partition, texel) ? 1 : 0));
-  bits.store(bytes);
+  assert(bits.count() == 128);
+  bits.bits().store(bytes);
 }
 
-void decodeBc6hBlock(BlockBytes bytes, bool is_signed, std::span<std::uint16_t, 48> halves) {
+void decodeBc6hBlock(HalfBlockBytes bytes, bool is_signed, std::span<std::uint16_t, 48> halves) {
   const std::optional<Bc6hBlock> block = readBc6hBlock(bytes, is_signed);
   if (!block) {
     std::fill(halves.begin(), halves.end(), std::uint16_t{0});

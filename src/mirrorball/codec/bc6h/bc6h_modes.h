@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "mirrorball/codec/half_blocks/block_bits.h"
+
 namespace mirrorball {
 
 /// The tables of BC6H. From: Khronos Data Format Specification 1.3, section "BC6H" (the chapter on BPTC); the same in
@@ -183,6 +185,6 @@ constexpr int bc6hWeight(int index, int index_bits) {
 }
 constexpr int bc6hIndexBits(int subsets) { return subsets == 2 ? 3 : 4; }
 
-inline constexpr std::size_t kBc6hBlockSize = 16;  ///< bytes
+inline constexpr std::size_t kBc6hBlockSize = kHalfBlockSize;
 
 }  // namespace mirrorball

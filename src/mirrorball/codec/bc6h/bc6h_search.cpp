@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/vector_targets.h"
 #include "mirrorball/codec/bc6h/bc6h_modes.h"
+#include "mirrorball/codec/half_blocks/block_weights.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/codec/bc6h/bc6h_search.cpp"
@@ -26,19 +27,13 @@ constexpr std::size_t kTriedPartitions = 3;
 /// Ends that a finer mode does not reach may be nearer cut off than in one that reaches them: so much farther is tried.
 constexpr float kSlack = 1.7f;
 
-/// The least weight of a texel beside a brighter one (in its block), and of the square of a channel's share in a texel.
-/// Beside a sun leaves count less, but not so little that they would shine.
-constexpr float kMinWeight = 1.0f / 64.0f;
-constexpr float kMinShare = 1.0f / 16.0f;
-
-/// Below any difference that counts, and above where a division would overflow.
-constexpr float kTiny = 1e-20f;
-
-/// A partition in 32 bits: which texels are the second subset's, its anchor, its number.
-constexpr std::uint32_t codeOfPartition(std::size_t partition) {
-  return kBc6hPartitions[partition] | std::uint32_t{kBc6hAnchors[partition]} << 16 |
-         static_cast<std::uint32_t>(partition) << 24;
-}
+/// The partitions, as half_blocks/block_lines.inc has them.
+constexpr std::array<std::uint32_t, 32> kPartitionCodes = [] {
+  std::array<std::uint32_t, 32> codes{};
+  for (std::uint32_t i = 0; i < codes.size(); ++i)
+    codes[i] = kBc6hPartitions[i] | std::uint32_t{kBc6hAnchors[i]} << 16 | i << 24;
+  return codes;
+}();
 
 /// The largest index where there are one or two subsets; an anchor's is at most half as large.
 constexpr float lastIndex(int subsets) { return static_cast<float>((1 << bc6hIndexBits(subsets)) - 1); }
@@ -49,9 +44,24 @@ constexpr float lastOfAnchor(int subsets) { return (lastIndex(subsets) - 1.0f) /
 
 HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
+namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#include "mirrorball/codec/bc6h/bc6h_lines.inc"
+#include "mirrorball/codec/half_blocks/block_lines.inc"
+
+/// 31/64 of a number are the bits of a half float.
+struct Bc6hFormat {
+  static V halfOf(V number) { return number * set(31.0f / 64.0f); }
+  static V numberOf(V half) { return half * set(64.0f / 31.0f); }
+  static constexpr const auto& kPartitionCodes = mirrorball::kPartitionCodes;
+  static constexpr bool kHasAnchors = true;
+};
+
+/// The share of the second end in an index, as the specification rounds it.
+template <int kSubsets>
+HWY_INLINE V shareOf(V index) {
+  return hn::Round(index * set(64.0f / lastIndex(kSubsets))) * set(1.0f / 64.0f);
+}
 
 /// A mode of each lane, and what its ends can be.
 struct Mode {
@@ -122,7 +132,7 @@ HWY_INLINE V errorOf(const Texels& texels, std::size_t i, const V* from, const V
   const V share = shareOf<kSubsets>(index);
   V error = set(0.0f);
   for (int c = 0; c < 3; ++c) {
-    const V off = lightOf(from[c] + share * along[c]) - texels.light[i][c];
+    const V off = lightOf<Bc6hFormat>(from[c] + share * along[c]) - texels.light[i][c];
     error = error + off * off;
   }
   return error * texels.light_weight[i];
@@ -175,6 +185,13 @@ struct Encoded {
   V indices[16];
 };
 
+template <int kSubsets>
+HWY_INLINE void fitEndsTo(const Texels& texels, const V* indices, VU code, Lines& lines) {
+  V shares[16];
+  for (std::size_t i = 0; i < 16; ++i) shares[i] = shareOf<kSubsets>(indices[i]);
+  fitEnds<kSubsets>(texels, shares, code, lines);
+}
+
 HWY_INLINE Encoded nothingYet() {
   Encoded none;
   none.error = set(1e30f);
@@ -207,10 +224,10 @@ HWY_NOINLINE Encoded encode(const Texels& texels, VU code, Lines lines, float sl
 
 template <int kSubsets>
 HWY_NOINLINE void tryPartition(const Texels& texels, VU code, Encoded& best) {
-  Lines lines = linesThrough<kSubsets>(texels, code);
+  Lines lines = linesThrough<Bc6hFormat, kSubsets>(texels, code);
   const Encoded first = encode<kSubsets>(texels, code, lines, 1.0f);
   keepBetter(first, best);
-  fitEnds<kSubsets>(texels, first.indices, code, lines);
+  fitEndsTo<kSubsets>(texels, first.indices, code, lines);
   keepBetter(encode<kSubsets>(texels, code, lines, kSlack), best);
 }
 
@@ -221,25 +238,30 @@ HWY_NOINLINE void refine(const Texels& texels, Encoded& best) {
   Lines lines;
   for (auto& end : lines.end)
     for (V& channel : end) channel = set(0.0f);
-  fitEnds<kSubsets>(texels, best.indices, code, lines);
+  fitEndsTo<kSubsets>(texels, best.indices, code, lines);
   keepBetter(encode<kSubsets>(texels, code, lines, kSlack), best);
   keepBetter(encode<kSubsets>(texels, code, lines, 1.0f), best);
 }
 
-HWY_INLINE void store(V whole, std::uint32_t* to) {
-  hn::Store(hn::BitCast(DU(), hn::ConvertTo(DS(), whole)), DU(), to);
+/// Eight indices leave 1/49 of the squared distances along a line.
+HWY_INLINE V misfitOf(const Moments& first, const Moments& second) {
+  const Spread a = spreadOf(first);
+  const Spread b = spreadOf(second);
+  return (a.total + b.total) - set(48.0f / 49.0f) * (a.along + b.along);
 }
 
-void searchLanes(const Bc6hTexels& in, Bc6hFound& found) {
-  for (std::size_t lane = 0; lane < kBc6hBatch; lane += hn::Lanes(D())) {
-    const Texels texels = load(in, lane);
+}  // namespace
+
+void searchBc6hLanes(const HalfBlockTexels& in, Bc6hFound& found) {
+  for (std::size_t lane = 0; lane < kHalfBlockBatch; lane += hn::Lanes(D())) {
+    const Texels texels = load<Bc6hFormat>(in, lane);
     Encoded best = nothingYet();
     tryPartition<1>(texels, hn::Zero(DU()), best);
     refine<1>(texels, best);
 
     Encoded best_of_two = nothingYet();
     VU codes[kTriedPartitions];
-    choosePartitions(texels, codes);
+    choosePartitions<Bc6hFormat, kTriedPartitions>(texels, misfitOf, codes);
     for (const VU code : codes) tryPartition<2>(texels, code, best_of_two);
     refine<2>(texels, best_of_two);
     keepBetter(best_of_two, best);
@@ -257,9 +279,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mirrorball {
 
-HWY_EXPORT(searchLanes);
+HWY_EXPORT(searchBc6hLanes);
 
-void searchBc6h(const Bc6hTexels& texels, Bc6hFound& found) { HWY_DYNAMIC_DISPATCH(searchLanes)(texels, found); }
+void searchBc6h(const HalfBlockTexels& texels, Bc6hFound& found) {
+  HWY_DYNAMIC_DISPATCH(searchBc6hLanes)(texels, found);
+}
 
 }  // namespace mirrorball
 #endif

@@ -16,6 +16,7 @@ constexpr std::size_t kSampleSize = 16;
 constexpr std::uint16_t kVersion = 2;  // KHR_DF_VERSIONNUMBER_1_3, which 1.4 keeps
 constexpr std::uint8_t kModelRgbsda = 1;
 constexpr std::uint8_t kModelBc6h = 133;
+constexpr std::uint8_t kModelUastcHdr = 167;  // Basis Universal's, to tell it from other ASTC (162)
 constexpr std::uint8_t kPrimariesBt709 = 1;
 constexpr std::uint8_t kTransferLinear = 1;
 constexpr std::uint8_t kTransferSrgb = 2;
@@ -59,7 +60,8 @@ std::vector<Sample> samplesOf(TexelFormat format) {
       return floatSamples(16, 2);
     case TexelFormat::rg_float32:
       return floatSamples(32, 2);
-    case TexelFormat::bc6h:  // one sample, the colour, of all the block's bits
+    case TexelFormat::bc6h:
+    case TexelFormat::uastc_hdr:  // one sample, the colour, of all the block's bits
       return {{0, 128, kFloatSamples | 0, 0, kOne}};
     case TexelFormat::b10g11r11:
       return {{0, 11, kFloatSamples | 0, 0, kOne},
@@ -77,6 +79,11 @@ std::vector<Sample> samplesOf(TexelFormat format) {
       return samples;
     }
   }
+}
+
+std::uint8_t modelOf(TexelFormat format) {
+  if (format == TexelFormat::bc6h) return kModelBc6h;
+  return format == TexelFormat::uastc_hdr ? kModelUastcHdr : kModelRgbsda;
 }
 
 /// The chromaticities of KHR_DF_PRIMARIES_*, by number; those not listed are Rec.709's or
@@ -134,7 +141,7 @@ Bytes dataFormatDescriptor(TexelFormat format) {
   writer.u16(static_cast<std::uint16_t>(block_size));
   const StoredFormat stored = storedFormat(format);
   const auto side = static_cast<std::uint8_t>(blockSide(stored) - 1);
-  writer.u8(format == TexelFormat::bc6h ? kModelBc6h : kModelRgbsda);
+  writer.u8(modelOf(format));
   writer.u8(kPrimariesBt709);
   writer.u8(kTransferLinear);
   writer.u8(0);     // straight alpha

@@ -13,7 +13,7 @@ namespace mirrorball {
 
 /// What a descriptor says about colour.
 struct DescribedColor {
-  int model = 1;  ///< 1: red, green, blue, alpha; 163 and 166 are Basis Universal's
+  int model = 1;  ///< 1: red, green, blue, alpha; 163, 166 and 167 are Basis Universal's
   bool srgb = false;
   std::optional<Primaries> primaries;  ///< nothing where they are Rec.709's or unspecified
 };

@@ -151,15 +151,15 @@ std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format) {
   return size;
 }
 
-ImageSet readImages(const std::uint8_t* texels, const DdsHeader& header) {
+Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < images.levels(); ++level) {
         const auto row = static_cast<std::size_t>(rowSize(shape, header.format, level));
-        images.at(level, face, layer) =
-            unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level));
+        MIRRORBALL_TRY(image, unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level)));
+        images.at(level, face, layer) = std::move(image);
         texels += imageSize(shape, header.format, level);
       }
   return images;
@@ -211,7 +211,8 @@ Result<DecodedImageSet> decodeDds(Span bytes) {
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format));
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
-  return DecodedImageSet{readImages(bytes.data() + header.size, header),
+  MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header));
+  return DecodedImageSet{std::move(images),
                          {},
                          "DDS, " + nameOf(header.format) + assumed,
                          describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed};

@@ -44,7 +44,8 @@ constexpr FormatNumberRow kFormatNumberRows[] = {
     {{SampleType::e5b9g9r9, 3}, 123, 67},
     {{SampleType::bc6h_unsigned, 3}, 143, 95},
     {{SampleType::bc6h_signed, 3}, 144, 96},
-    {{SampleType::bc6h_unsigned, 3}, 0, 94},  // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
+    {{SampleType::uastc_hdr, 3}, 1000066000, 0},  // VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK
+    {{SampleType::bc6h_unsigned, 3}, 0, 94},      // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
 };
 
 std::optional<StoredFormat> formatOf(std::uint32_t FormatNumberRow::*column, std::uint32_t number) {
@@ -77,7 +78,7 @@ constexpr Family kVulkanFamilies[] = {
     {153, 156, "EAC"},
     {157, 184, "ASTC"},
     {1000054000, 1000054007, "PVRTC"},
-    {1000066000, 1000066013, "ASTC HDR"},
+    {1000066001, 1000066013, "ASTC HDR"},
 };
 constexpr Family kDxgiFamilies[] = {
     {70, 72, "BC1"}, {73, 75, "BC2"}, {76, 78, "BC3"}, {79, 81, "BC4"}, {82, 84, "BC5"}, {97, 99, "BC7"},

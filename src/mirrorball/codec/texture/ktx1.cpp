@@ -159,13 +159,15 @@ class Reader {
                                              " it has " + std::to_string(expected));
       at_ += 4;
       for (int layer = 0; layer < images.layers(); ++layer)
-        for (int face = 0; face < images.faces(); ++face, at_ += size)
-          images.at(level, face, layer) = readImage(shape, format, level);
+        for (int face = 0; face < images.faces(); ++face, at_ += size) {
+          MIRRORBALL_TRY(image, readImage(shape, format, level));
+          images.at(level, face, layer) = std::move(image);
+        }
     }
     return images;
   }
 
-  Image readImage(const TextureShape& shape, const StoredFormat& format, int level) const {
+  Result<Image> readImage(const TextureShape& shape, const StoredFormat& format, int level) const {
     const Span stored = bytes_.subspan(at_, static_cast<std::size_t>(imageSize(shape, format, level, kAlignment)));
     const int width = shape.widthAt(level);
     const int height = shape.heightAt(level);

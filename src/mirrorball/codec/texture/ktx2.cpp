@@ -107,9 +107,11 @@ Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
 Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedColor& color) {
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
+  constexpr int kModelUastcHdr = 167;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
     return unsupportedTexture("Basis Universal block compression", kKtx2Instead);
   auto format = formatOfVulkan(header.vk_format);
+  if (header.vk_format == 0 && color.model == kModelUastcHdr) format = storedFormat(TexelFormat::uastc_hdr);
   if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kKtx2Instead);
   if (header.scheme == kKtx2Zstandard) MIRRORBALL_TRY_VOID(checkZstandard());
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
@@ -156,13 +158,17 @@ Result<std::unique_ptr<std::uint8_t[]>> unpacked(Span packed, std::size_t size, 
 }
 
 /// Decodes the images of one level into their places.
-void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int level, const TextureShape& shape,
-                 ImageSet& images) {
+Result<void> unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int level, const TextureShape& shape,
+                         ImageSet& images) {
   const auto row = static_cast<std::size_t>(rowSize(shape, format, level));
   const auto size = static_cast<std::size_t>(imageSize(shape, format, level));
   for (int layer = 0; layer < images.layers(); ++layer)
-    for (int face = 0; face < images.faces(); ++face, texels += size)
-      images.at(level, face, layer) = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
+    for (int face = 0; face < images.faces(); ++face, texels += size) {
+      auto image = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
+      if (!image) return fail(image.error().code, placeName(shape, level, layer, face) + " " + image.error().message);
+      images.at(level, face, layer) = std::move(*image);
+    }
+  return {};
 }
 
 Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFormat& format) {
@@ -172,12 +178,12 @@ Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFo
     const LevelPlace& level = header.levels[std::size_t(i)];
     const Span stored = bytes.subspan(std::size_t(level.offset), std::size_t(level.size));
     if (header.scheme == kKtx2Plain) {
-      unpackLevel(format, stored.data(), i, shape, images);
+      MIRRORBALL_TRY_VOID(unpackLevel(format, stored.data(), i, shape, images));
       continue;
     }
     const std::string place = "level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
     MIRRORBALL_TRY(texels, unpacked(stored, std::size_t(level.unpacked_size), place));
-    unpackLevel(format, texels.get(), i, shape, images);
+    MIRRORBALL_TRY_VOID(unpackLevel(format, texels.get(), i, shape, images));
   }
   return images;
 }

@@ -13,7 +13,7 @@ namespace mirrorball {
 /// Whether the bytes begin as a KTX 2 file does.
 bool isKtx2(std::span<const std::uint8_t> bytes);
 
-/// Decodes a KTX 2 file: uncompressed formats and BC6H, as they are or under Zstandard.
+/// Decodes a KTX 2 file: uncompressed formats, BC6H and UASTC HDR 4x4, as they are or under Zstandard.
 ///
 /// errors   as decodeImageSet
 /// from     KTX 2.0 specification (Khronos, 2020)

@@ -13,9 +13,11 @@
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/bc6h/bc6h.h"
-#include "mirrorball/codec/bc6h/bc6h_modes.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/shared_exponent.h"
+#include "mirrorball/codec/half_blocks/half_rows.h"
+#include "mirrorball/codec/texture/format_numbers.h"
+#include "mirrorball/codec/uastc_hdr/uastc_hdr.h"
 #include "mirrorball/image/small_float.h"
 
 namespace mirrorball {
@@ -90,6 +92,7 @@ void unpackPacked(SampleType type, const std::uint8_t* bytes, std::size_t texels
 
 bool isPacked(SampleType type) { return type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9; }
 bool isBc6h(SampleType type) { return type == SampleType::bc6h_unsigned || type == SampleType::bc6h_signed; }
+bool isCompressed(SampleType type) { return isBc6h(type) || type == SampleType::uastc_hdr; }
 
 /// One row, to the channels and the order of an image.
 void unpackRow(const StoredFormat& format, const std::uint8_t* bytes, std::span<float> row,
@@ -108,6 +111,22 @@ void unpackRow(const StoredFormat& format, const std::uint8_t* bytes, std::span<
     for (std::size_t c = 0; c < to; ++c) row[i * to + c] = c < from ? samples[i * from + c] : 0.0f;
     if (format.blue_first) std::swap(row[i * to], row[i * to + 2]);
   }
+}
+
+/// Rows of blocks of UASTC HDR.
+Result<Image> unpackUastcHdr(const std::uint8_t* bytes, std::size_t row_pitch, Image image) {
+  const auto rows = static_cast<std::size_t>((image.height() + 3) / 4);
+  std::vector<int> unread(rows, -1);  // the first block of each row that cannot be read
+  parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+      unread[row] = decodeUastcHdrRow(bytes + row * row_pitch, static_cast<int>(4 * row), image);
+  });
+  for (std::size_t row = 0; row < rows; ++row)
+    if (unread[row] >= 0)
+      return unsupportedTexture("ASTC that UASTC HDR 4x4 does not have, first in block (" +
+                                    std::to_string(unread[row]) + ", " + std::to_string(row) + ")",
+                                "r16g16b16a16 sfloat");
+  return image;
 }
 
 /// The largest value of each channel; what is negative does not fit any of the packed formats.
@@ -186,6 +205,8 @@ StoredFormat storedFormat(TexelFormat format) {
       return {SampleType::float32, 2};
     case TexelFormat::bc6h:
       return {SampleType::bc6h_unsigned, 3};
+    case TexelFormat::uastc_hdr:
+      return {SampleType::uastc_hdr, 3};
     default:
       return {SampleType::e5b9g9r9, 3};
   }
@@ -196,6 +217,7 @@ std::string nameOf(const StoredFormat& format) {
   if (format.type == SampleType::e5b9g9r9) return "e5b9g9r9 ufloat";
   if (format.type == SampleType::bc6h_unsigned) return "bc6h ufloat";
   if (format.type == SampleType::bc6h_signed) return "bc6h sfloat";
+  if (format.type == SampleType::uastc_hdr) return "uastc hdr 4x4";
   const std::string bits = std::to_string(8 * wordSize(format));
   const std::string letters = format.blue_first ? "bgra" : "rgba";
   std::string name;
@@ -218,6 +240,7 @@ std::size_t wordSize(const StoredFormat& format) {
     case SampleType::unorm8:
     case SampleType::bc6h_unsigned:
     case SampleType::bc6h_signed:
+    case SampleType::uastc_hdr:
       return 1;
     case SampleType::unorm16:
     case SampleType::half:
@@ -227,10 +250,10 @@ std::size_t wordSize(const StoredFormat& format) {
   }
 }
 
-int blockSide(const StoredFormat& format) { return isBc6h(format.type) ? 4 : 1; }
+int blockSide(const StoredFormat& format) { return isCompressed(format.type) ? 4 : 1; }
 
 std::size_t blockSize(const StoredFormat& format) {
-  if (isBc6h(format.type)) return kBc6hBlockSize;
+  if (isCompressed(format.type)) return kHalfBlockSize;
   return isPacked(format.type) ? 4 : wordSize(format) * std::size_t(format.channels);
 }
 
@@ -248,9 +271,10 @@ TransferCurve curveOf(const StoredFormat& format) {
   return format.type == SampleType::srgb8 ? kSrgbCurve : kLinearLight;
 }
 
-Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
-                   int height) {
+Result<Image> unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
+                           int height) {
   Image image(width, height, imageChannels(format));
+  if (format.type == SampleType::uastc_hdr) return unpackUastcHdr(bytes, row_pitch, std::move(image));
   if (isBc6h(format.type)) {
     parallelFor(std::size_t(blocksAlong(format, std::uint64_t(height))), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
@@ -276,6 +300,8 @@ bool packTexels(TexelFormat format, std::span<const float> samples, int channels
   switch (stored.type) {
     case SampleType::bc6h_unsigned:
       return encodeBc6h(samples, channels, width, bytes);
+    case SampleType::uastc_hdr:
+      return encodeUastcHdr(samples, channels, width, bytes);
     case SampleType::half:
       if (from == to) return halvesFromFloats(samples, asHalves(bytes));
       if (from == 3 && to == 4) return rgbaHalvesFromRgb(samples, asHalves(bytes));
@@ -302,7 +328,8 @@ float maxOf(TexelFormat format) {
     case TexelFormat::e5b9g9r9:
       return 65408.0f;
     case TexelFormat::bc6h:
-      return kLargestBc6h;
+    case TexelFormat::uastc_hdr:
+      return kLargestHalf;
     default:
       return std::numeric_limits<float>::max();
   }
@@ -312,7 +339,8 @@ std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int 
   const auto step = static_cast<std::size_t>(channels);
   std::vector<std::uint8_t> bytes(blockSize(storedFormat(format)));
   const auto fits = [&](std::span<const float> texel) {
-    return format == TexelFormat::bc6h ? fitsBc6h(texel, channels) : packTexels(format, texel, channels, 1, bytes);
+    return isCompressed(storedFormat(format).type) ? fitsUnsignedHalf(texel, channels)
+                                                   : packTexels(format, texel, channels, 1, bytes);
   };
   std::size_t texel = 0;
   while (fits(samples.subspan(texel * step, step))) ++texel;
@@ -320,7 +348,7 @@ std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int 
 }
 
 bool refusesNegativeLight(TexelFormat format) {
-  return format == TexelFormat::b10g11r11 || format == TexelFormat::e5b9g9r9 || format == TexelFormat::bc6h;
+  return format == TexelFormat::b10g11r11 || format == TexelFormat::e5b9g9r9 || isCompressed(storedFormat(format).type);
 }
 
 std::string rangeOf(TexelFormat format) {
@@ -332,6 +360,8 @@ std::string rangeOf(TexelFormat format) {
       return "b10g11r11 holds 0 to 65024 (blue 64512)";
     case TexelFormat::bc6h:
       return "bc6h holds 0 to 65504";
+    case TexelFormat::uastc_hdr:
+      return "uastc_hdr holds 0 to 65504";
     default:
       return "e5b9g9r9 holds 0 to 65408";
   }

@@ -13,7 +13,18 @@ namespace mirrorball {
 
 /// How a sample, or a texel where samples share a word, or a block of texels, stands in a texture file. All but the
 /// first two keep light.
-enum class SampleType { srgb8, unorm8, unorm16, half, float32, b10g11r11, e5b9g9r9, bc6h_unsigned, bc6h_signed };
+enum class SampleType {
+  srgb8,
+  unorm8,
+  unorm16,
+  half,
+  float32,
+  b10g11r11,
+  e5b9g9r9,
+  bc6h_unsigned,
+  bc6h_signed,
+  uastc_hdr
+};
 
 /// How a texel stands in a texture file: little-endian samples in the order of their names.
 struct StoredFormat {
@@ -53,8 +64,10 @@ TransferCurve curveOf(const StoredFormat& format);
 ///
 /// bytes    width · height texels, rows of blocks of `row_pitch` bytes, little-endian
 /// returns  imageChannels(format) channels
+/// errors   unsupported (the first block of ASTC that is none of UASTC HDR)
 /// cost     on all cores, at the speed of memory for half and float; bc6h some 40 million texels a second and core
-Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width, int height);
+Result<Image> unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
+                           int height);
 
 /// Encodes rows of texels. What does not fit the format leaves unspecified bytes.
 ///

@@ -83,7 +83,7 @@ TEST(StoredFormat, EveryPackedFloatComesBack) {
     const std::uint32_t bits = code | (2047 - code) << 11 | code / 2 << 22;
     std::array<std::uint8_t, 4> bytes;
     std::memcpy(bytes.data(), &bits, 4);
-    const Image image = unpackTexels({SampleType::b10g11r11, 3}, bytes.data(), 4, 1, 1);
+    const Image image = *unpackTexels({SampleType::b10g11r11, 3}, bytes.data(), 4, 1, 1);
     const float* color = image.texel(0, 0);
     const float red = floatFromHalf(static_cast<std::uint16_t>(code << 4));
     EXPECT_TRUE(color[0] == red || (std::isnan(color[0]) && std::isnan(red))) << code;
@@ -136,7 +136,7 @@ TEST(StoredFormat, DecodesEveryKind) {
   };
   for (const Stored& kind : kinds) {
     ASSERT_EQ(kind.bytes.size(), blockSize(kind.format)) << nameOf(kind.format);
-    const Image image = unpackTexels(kind.format, kind.bytes.data(), kind.bytes.size(), 1, 1);
+    const Image image = *unpackTexels(kind.format, kind.bytes.data(), kind.bytes.size(), 1, 1);
     EXPECT_EQ(std::vector<float>(image.samples().begin(), image.samples().end()), kind.light) << nameOf(kind.format);
   }
 }

@@ -95,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
              [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 4, 4, 4), {.zstandard_level = 3}); }, true},
         Kind{"Ktx2Bc6h",
              [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 3, 9, 9), {.format = TexelFormat::bc6h}); }},
+        Kind{"Ktx2UastcHdr",
+             [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 3, 9, 9), {.format = TexelFormat::uastc_hdr}); }},
         Kind{"Ktx1Cube", ktx1Cube},
         Kind{"DdsCube",
              [] { return bytesOfTexture(writeDds, textureOf(2, 6, 2, 3, 4, 4), {.format = TexelFormat::b10g11r11}); }},

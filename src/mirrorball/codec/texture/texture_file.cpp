@@ -3,6 +3,7 @@
 #include <cassert>
 #include <memory>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
@@ -63,6 +64,9 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
                                       "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
   if (container != ImageFormatId::ktx2 && options.zstandard_level > 0)
     return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
+  if (container != ImageFormatId::ktx2 && !holdsFormat(extensionOf(path), options.format))
+    return fail(ErrorCode::usage,
+                name + ": cannot hold " + nameOf(storedFormat(options.format)) + " texels; use .ktx2");
   if (options.zstandard_level > 0) MIRRORBALL_TRY_VOID(withName(name, checkZstandard()));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   return container;
@@ -92,10 +96,17 @@ Result<void> writeIn(ImageFormatId container, const ImageSet& images, const Text
 
 }  // namespace
 
-std::vector<std::string_view> texelFormatNames(bool only_of_exr) {
+bool holdsFormat(std::string_view extension, TexelFormat format) {
+  const auto* const found = findBy(kTexelFormatNames, format, &TexelFormatName::format);
+  const bool is_named = found != kTexelFormatNames.end();
+  if (extension == "exr") return is_named && found->is_in_exr;
+  return extension == "ktx2" || !is_named || !found->is_only_in_ktx2;
+}
+
+std::vector<std::string_view> texelFormatNames(std::string_view extension) {
   std::vector<std::string_view> names;
   for (const TexelFormatName& format : kTexelFormatNames)
-    if (format.is_in_exr || !only_of_exr) names.push_back(format.name);
+    if (extension.empty() || holdsFormat(extension, format.format)) names.push_back(format.name);
   return names;
 }
 

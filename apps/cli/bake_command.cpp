@@ -88,13 +88,10 @@ Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
   if (!request.settings.split)
     MIRRORBALL_TRY_VOID(refuseGiven(request.given, std::span(kOfFolders).last(2),
                                     {"", " says which lamps are taken out of the maps; add --split"}));
-  MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program));
-  if (set.files != SetFiles::cmgens) return {};
-  return refuseGiven(
-      request.given, std::span(kOfFolders).first(7),
-      {"",
-       ": Filament has a BRDF table of its own, looks reflections up once, and has irradiance from harmonics of "
-       "three bands; leave it out"});
+  MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program, request.settings.mip_mapping));
+  if (set.files == SetFiles::ours) return {};
+  return refuseGiven(request.given, std::span(kOfFolders).first(set.files == SetFiles::packed ? 10 : 7),
+                     {"", ": " + std::string(set.needs_no_others) + "; leave it out"});
 }
 
 /// terminalObserver, which also says what an interruption leaves in a folder that was there before.

@@ -92,7 +92,7 @@ TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
 }
 
 TEST_F(BakePicturesTest, SixPicturesAreReadAsACube) {
-  succeed(kSmallPictures + std::string("--extension exr --for three -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --for three --mip-mapping filament -o out"));
   EXPECT_THAT(succeed("info out/m1_ny.exr"), HasSubstr("cube, faces, axes="));
   succeed(kSmallPictures + std::string("--format float32 -o ours"));
   succeed("convert out/m0_px.exr --to equirect --size 16 -o its.exr");
@@ -123,7 +123,7 @@ TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {
 TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
   for (const std::string program : {"", " --for unreal", " --for three"}) {
     const std::string to = " --format float32 --rotate 40,10" + program;
-    succeed(kSmallPictures + std::string("--skybox-size 64 -o out") + to);
+    succeed(kSmallPictures + std::string("--mip-mapping filament --skybox-size 64 -o out") + to);
     succeed("convert map.exr --to cube --size 64 -o cube.ktx2" + to);
     const ImageSet skybox = texture("out/skybox.ktx2");
     const ImageSet cube = texture("cube.ktx2");

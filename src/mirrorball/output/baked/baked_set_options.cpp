@@ -58,10 +58,11 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .help = "microfacet distribution; charlie is for cloth"},
      choiceField<&BakedSetSettings::distribution>},
     {{.name = "mip-mapping",
-      .choices = "auto|filament|linear|unreal|unity|frostbite",
-      .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal and "
-              "unity have "
-              "their own, godot has that of frostbite, all others that of filament"},
+      .choices = "auto|filament|linear|unreal|unity|frostbite|babylon|gltf",
+      .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal, unity, "
+              "babylon and gltf have their own, godot has that of frostbite, playcanvas the linear one, all others "
+              "that of filament. With any other, {option:for} three, babylon and playcanvas get separate maps in "
+              "place of their own file"},
      kMipMappingField},
     {{.name = "irradiance-size",
       .value = "N",

@@ -16,13 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class BakeEnginesTest : public CliTest {
- protected:
-  nlohmann::json json(const std::string& name) const {
-    const Bytes text = bytes(name);
-    return nlohmann::json::parse(text.begin(), text.end());
-  }
-};
+class BakeEnginesTest : public CliTest {};
 
 TEST_F(BakeEnginesTest, ThreeGetsAChainThatEndsAt8) {
   succeed("bake white --for three -o out");
@@ -30,8 +24,8 @@ TEST_F(BakeEnginesTest, ThreeGetsAChainThatEndsAt8) {
   const ImageSet levels = texture("out/specular.ktx2");
   ASSERT_EQ(levels.levels(), 6);
   EXPECT_EQ(levels.at(5, 0).width(), 8);
-  EXPECT_EQ(json("out/manifest.json")["specular"]["format"], "r16g16b16a16 sfloat");
-  EXPECT_EQ(json("out/manifest.json")["specular"]["levels"][5]["perceptual_roughness"], 1.0);
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["format"], "r16g16b16a16 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["levels"][5]["perceptual_roughness"], 1.0);
   EXPECT_THAT(succeed("info out/specular.ktx2"), HasSubstr("axes="));
 }
 
@@ -47,7 +41,7 @@ TEST_F(BakeEnginesTest, AnotherMipMappingGivesTheMapsOneByOne) {
     succeed("bake white --size 8 --brdf-size 8 --mip-mapping filament --for " + program + " -o " + program);
     EXPECT_THAT(files(), AllOf(Contains(program + "/irradiance.ktx2"), Contains(program + "/brdf.ktx2"),
                                Contains(program + "/sh.json")));
-    EXPECT_EQ(json(program + "/manifest.json")["specular"]["levels"].size(), 2u);
+    EXPECT_EQ(jsonIn(program + "/manifest.json")["specular"]["levels"].size(), 2u);
   }
 }
 
@@ -55,9 +49,9 @@ TEST_F(BakeEnginesTest, BabylonGetsAnEnvAndADds) {
   succeed("bake white --for babylon --size 32 -o out");
   EXPECT_THAT(files(), ElementsAre("out/", "out/environment.dds", "out/environment.env", "out/manifest.json"));
   EXPECT_EQ(texture("out/environment.dds").levels(), 6);
-  EXPECT_EQ(json("out/manifest.json")["packed"]["file"], "environment.env");
-  EXPECT_EQ(json("out/manifest.json")["specular"]["file"], "environment.dds");
-  EXPECT_THAT(json("out/manifest.json")["specular"]["look_up"], HasSubstr("0.8 log2(w r r)"));
+  EXPECT_EQ(jsonIn("out/manifest.json")["packed"]["file"], "environment.env");
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["file"], "environment.dds");
+  EXPECT_THAT(jsonIn("out/manifest.json")["specular"]["look_up"], HasSubstr("0.8 log2(w r r)"));
   succeed("bake white --for babylon --size 32 -o alone.env");
   EXPECT_EQ(bytes("alone.env"), bytes("out/environment.env"));
 }
@@ -66,8 +60,8 @@ TEST_F(BakeEnginesTest, PlayCanvasGetsAnAtlas) {
   succeed("bake white --for playcanvas --size 64 -o out");
   EXPECT_THAT(files(), ElementsAre("out/", "out/environment.png", "out/manifest.json"));
   EXPECT_EQ(image("out/environment.png").width(), 512);
-  EXPECT_EQ(json("out/manifest.json")["specular"]["levels"].size(), 6u);
-  EXPECT_FALSE(json("out/manifest.json")["specular"].contains("file"));
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["levels"].size(), 6u);
+  EXPECT_FALSE(jsonIn("out/manifest.json")["specular"].contains("file"));
 }
 
 TEST_F(BakeEnginesTest, GltfGetsALight) {

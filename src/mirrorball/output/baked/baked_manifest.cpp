@@ -63,9 +63,12 @@ Json specularJson(const BakedFacts& facts, const BakedFiles& files, const BakedS
       "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
   json["distribution"] = writtenSetting(settings, "distribution");
   json["mip_mapping"] = writtenSetting(settings, "mip-mapping");
-  json["look_up"] = std::string(lookUpOf(*settings.mip_mapping)) +
-                    ", r the perceptual roughness, M = " + std::to_string(facts.levels.size() - 1) +
-                    ", w = " + std::to_string(settings.size);
+  const MipMapping mapping = *settings.mip_mapping;
+  std::string look_up =
+      std::string(lookUpOf(mapping)) + ", r the perceptual roughness, M = " + std::to_string(facts.levels.size() - 1);
+  if (mapping == MipMapping::babylon || mapping == MipMapping::gltf)
+    look_up += ", w = " + std::to_string(settings.size) + ", the side of level 0";
+  json["look_up"] = look_up;
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const PrefilterLevel& level = facts.levels[i];
     Json row{{"size", level.size},

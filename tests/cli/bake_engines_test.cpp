@@ -54,6 +54,9 @@ TEST_F(BakeEnginesTest, BabylonGetsAnEnvAndADds) {
   EXPECT_THAT(jsonIn("out/manifest.json")["specular"]["look_up"], HasSubstr("0.8 log2(w r r)"));
   succeed("bake white --for babylon --size 32 -o alone.env");
   EXPECT_EQ(bytes("alone.env"), bytes("out/environment.env"));
+  succeed("bake white --for babylon --size 32 --irradiance-size 8 -o alone.env");
+  EXPECT_LT(bytes("alone.env").size(), bytes("out/environment.env").size());
+  EXPECT_THAT(refuse(2, "bake white --for babylon --split -o alone.env"), HasSubstr("name a folder"));
 }
 
 TEST_F(BakeEnginesTest, PlayCanvasGetsAnAtlas) {

@@ -123,10 +123,10 @@ Result<void> packInto(const BakedFiles& files, const BakedMaps& maps, const Obse
   MIRRORBALL_TRY(packed, withName(files.packed, files.set.pack(maps)));
   MIRRORBALL_TRY_VOID(writeFile(files.packed, packed.bytes));
   if (packed.lost.lost > 0.0)
-    observer.tell(RemarkKind::light_lost, files.packed + ": the format ends at " +
-                                              std::to_string(std::lround(packed.brightest)) +
-                                              ", and what is brighter was lowered to that: " + percentOf(packed.lost) +
-                                              " of the light is lost");
+    observer.tell(RemarkKind::light_too_bright,
+                  files.packed + ": the format ends at " + std::to_string(std::lround(packed.brightest)) +
+                      ", and what is brighter was lowered to that: " + percentOf(packed.lost) +
+                      " of the light is lost");
   observer.tellWritten(files.packed);
   return {};
 }

@@ -36,7 +36,9 @@ struct BakeOptions {
 
 const std::string kBakedHelp =
     "required: a folder for all maps and a manifest (with several environments, one folder in it for each), or a " +
-    writtenExtensions(Holds::texture, " or ") + " file for the specular mip chain only (-.ktx2 is standard output)";
+    writtenExtensions(Holds::texture, " or ") +
+    " file for the specular mip chain only (-.ktx2 is standard output); with --for babylon, playcanvas and gltf also a "
+    ".env, .png or .glb file";
 
 const Option<BakeOptions> kBakeOutput{
     {.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output};
@@ -79,22 +81,25 @@ Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_
 /// errors   usage
 Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
   constexpr std::array<std::string_view, 13> kOfFolders{
-      "irradiance-size", "sh-degree",   "brdf-size", "brdf-channels", "brdf-axes", "brdf-extension", "lobe-rows",
-      "skybox",          "skybox-size", "extension", "split",         "min-share", "max-size"};
+      "sh-degree", "brdf-size",   "brdf-channels", "brdf-axes", "brdf-extension", "lobe-rows", "irradiance-size",
+      "skybox",    "skybox-size", "extension",     "split",     "min-share",      "max-size"};
+  const std::span<const std::string_view> all = kOfFolders;
+  MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program, request.settings.mip_mapping));
+  const bool is_packed = set.files == SetFiles::packed;
+  const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
+  if (is_packed) {
+    MIRRORBALL_TRY_VOID(refuseGiven(request.given, all.first(6), has_no_use));
+    MIRRORBALL_TRY_VOID(refuseGiven(request.given, all.subspan(7, 3), has_no_use));
+  }
   if (isOneFile(request.options.output))
-    return refuseGiven(request.given, kOfFolders,
+    return refuseGiven(request.given, is_packed ? all.subspan(10) : all,
                        {request.options.output + ": holds the specular chain only, and ",
                         " is for what lies beside it; name a folder, without an extension"});
   if (!request.settings.split)
-    MIRRORBALL_TRY_VOID(refuseGiven(request.given, std::span(kOfFolders).last(2),
-                                    {"", " says which lamps are taken out of the maps; add --split"}));
-  MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program));
-  if (set.files != SetFiles::cmgens) return {};
-  return refuseGiven(
-      request.given, std::span(kOfFolders).first(7),
-      {"",
-       ": Filament has a BRDF table of its own, looks reflections up once, and has irradiance from harmonics of "
-       "three bands; leave it out"});
+    MIRRORBALL_TRY_VOID(
+        refuseGiven(request.given, all.last(2), {"", " says which lamps are taken out of the maps; add --split"}));
+  if (set.files == SetFiles::ours || is_packed) return {};
+  return refuseGiven(request.given, all.first(7), has_no_use);
 }
 
 /// terminalObserver, which also says what an interruption leaves in a folder that was there before.

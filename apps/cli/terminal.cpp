@@ -157,6 +157,8 @@ std::string adviceOn(const Remark& remark) {
   switch (remark.kind) {
     case RemarkKind::light_lost:
       return "; --scale-light or --format float32 would keep it";
+    case RemarkKind::light_too_bright:
+      return "; --scale-light or, of small lamps in a folder, --split would keep it";
     case RemarkKind::digits_lost:
       return "; --format float32 holds them all";
     case RemarkKind::form_unsaid:

@@ -1,13 +1,15 @@
 #!/bin/sh
-# usage: browser_test.sh MIRRORBALL SOURCE_DIR SCRATCH_DIR
+# usage: browser_test.sh MIRRORBALL SOURCE_DIR SCRATCH_DIR CHECK ARGUMENT …
 #
-# Has three.js show maps that the program wrote for it, in Chromium. Exit code 77 (skipped) where Node, npm, npm's
+# Runs CHECK.mjs, which has a web engine show maps that the program wrote for it, in Chromium. Exit code 77 (skipped) where Node, npm, npm's
 # registry, Chromium or an OpenGL driver is absent.
 
 set -eu
 mirrorball=$1
 source_dir=$2
 scratch=$3
+check=$4
+shift 4
 
 chromium=$(command -v chromium) || {
   echo "skipped: chromium is not installed"
@@ -23,5 +25,5 @@ if ! "$mirrorball" render none -e white --size 8x8 -o "$scratch/probe.png" 2>"$s
   exit 77
 fi
 
-cp "$source_dir/check_views.mjs" "$source_dir/views.html" "$source_dir/views.mjs" "$scratch/"
-node "$scratch/check_views.mjs" "$mirrorball" "$chromium" "$scratch"
+cp "$source_dir"/*.mjs "$source_dir"/*.html "$scratch/"
+node "$scratch/$check.mjs" "$mirrorball" "$chromium" "$scratch" "$@"

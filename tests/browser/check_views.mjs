@@ -9,7 +9,7 @@ import { spawnSync } from 'node:child_process';
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { chromium } from 'playwright-core';
+import { openPage } from './browser_page.mjs';
 
 const [mirrorball, browserPath, folder] = process.argv.slice(2);
 const side_px = 256;
@@ -115,24 +115,6 @@ function makeMaps() {
   return [...right, ...wrong].map((map) => ({ views, differ: [], ...map }));
 }
 
-/// The page in a browser that reads files of the folder and nothing else: there is no network behind it.
-async function openPage() {
-  const browser = await chromium.launch({
-    executablePath: browserPath,
-    args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
-  });
-  const page = await browser.newPage();
-  page.on('console', (message) => message.type() === 'error' && console.error(message.text()));
-  page.on('pageerror', (error) => console.error(error.message));
-  await page.route('**', (route) => {
-    const { pathname } = new URL(route.request().url());
-    return route.fulfill({ path: join(folder, decodeURIComponent(pathname)) });
-  });
-  await page.goto('http://mirrorball.test/views.html');
-  await page.waitForFunction(() => window.compareViews);
-  return page;
-}
-
 /// Returns the number of faults, after a line for each.
 async function check(page, map) {
   const { psnrs_db, sheet } = await page.evaluate((what) => window.compareViews(what), map);
@@ -157,7 +139,8 @@ for (const name of ['maps', 'pictures', 'sheets']) {
 }
 makePictures();
 const maps = makeMaps();
-const page = await openPage();
+const page = await openPage(browserPath, folder, 'views.html', (text) => console.error(text));
+await page.waitForFunction(() => window.compareViews);
 let faults = 0;
 for (const map of maps) faults += await check(page, map);
 await page.context().browser().close();

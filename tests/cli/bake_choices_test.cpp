@@ -19,24 +19,18 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-class BakeChoicesTest : public CliTest {
- protected:
-  nlohmann::json json(const std::string& name) const {
-    const Bytes text = bytes(name);
-    return nlohmann::json::parse(text.begin(), text.end());
-  }
-};
+class BakeChoicesTest : public CliTest {};
 
 constexpr const char* kSmall = "bake white -o out --size 8 --irradiance-size 4 --brdf-size 16 ";
 
 TEST_F(BakeChoicesTest, ATableOfTwoChannelsHasNoThird) {
   succeed(std::string(kSmall));
   const Image three = texture("out/brdf.ktx2").at(0, 0);
-  EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "r16g16b16a16 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["format"], "r16g16b16a16 sfloat");
   for (const std::string extension : {"ktx2", "dds"}) {
     succeed(kSmall + std::string("--brdf-channels 2 --brdf-extension ") + extension);
-    EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "r16g16 sfloat");
-    EXPECT_EQ(json("out/manifest.json")["brdf"]["channels"].size(), 2u);
+    EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["format"], "r16g16 sfloat");
+    EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["channels"].size(), 2u);
     EXPECT_THAT(succeed("info out/brdf." + extension), HasSubstr("r16g16 sfloat"));
     const Image two = texture("out/brdf." + extension).at(0, 0);
     for (int y = 0; y < 16; ++y)
@@ -46,12 +40,12 @@ TEST_F(BakeChoicesTest, ATableOfTwoChannelsHasNoThird) {
 
 TEST_F(BakeChoicesTest, TheTableIsStoredAsTheCubesAre) {
   succeed(kSmall + std::string("--brdf-channels 2 --format float32"));
-  EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "r32g32 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["format"], "r32g32 sfloat");
   EXPECT_EQ(bytes("out/brdf.ktx2")[12], 103) << "VK_FORMAT_R32G32_SFLOAT";
   // A table of 6 bits would be of no use.
   succeed(kSmall + std::string("--format b10g11r11"));
-  EXPECT_EQ(json("out/manifest.json")["specular"]["format"], "b10g11r11 ufloat");
-  EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "r16g16b16a16 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["format"], "b10g11r11 ufloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["format"], "r16g16b16a16 sfloat");
   const std::size_t plain = bytes("out/brdf.ktx2").size();
   succeed(kSmall + std::string("--zstd 9"));
   EXPECT_LT(bytes("out/brdf.ktx2").size(), plain);
@@ -60,7 +54,7 @@ TEST_F(BakeChoicesTest, TheTableIsStoredAsTheCubesAre) {
 
 TEST_F(BakeChoicesTest, APictureOfTheTableHasThreeChannels) {
   succeed(kSmall + std::string("--brdf-channels 2 --brdf-extension exr --distribution charlie"));
-  const nlohmann::json brdf = json("out/manifest.json")["brdf"];
+  const nlohmann::json brdf = jsonIn("out/manifest.json")["brdf"];
   EXPECT_EQ(brdf["format"], "three channels of 32-bit floats");
   EXPECT_EQ(brdf["distribution"], "charlie");
   const Image table = image("out/brdf.exr");
@@ -68,13 +62,13 @@ TEST_F(BakeChoicesTest, APictureOfTheTableHasThreeChannels) {
   EXPECT_GT(table.texel(8, 8)[0], 0.0f);
   EXPECT_EQ(table.texel(8, 8)[2], 0.0f);
   succeed(kSmall + std::string("--brdf-extension exr --format half"));
-  EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "three channels of half floats");
+  EXPECT_EQ(jsonIn("out/manifest.json")["brdf"]["format"], "three channels of half floats");
 }
 
 TEST_F(BakeChoicesTest, AnEngineHasItsOwnMipMapping) {
   const auto mappingOf = [&](const std::string& options) {
     EXPECT_EQ(run(std::string(kSmall) + options).exit_code, 0) << options;
-    return json("out/manifest.json")["specular"]["mip_mapping"].get<std::string>();
+    return jsonIn("out/manifest.json")["specular"]["mip_mapping"].get<std::string>();
   };
   EXPECT_EQ(mappingOf(""), "filament");
   EXPECT_EQ(mappingOf("--for unity"), "unity");
@@ -89,7 +83,7 @@ TEST_F(BakeChoicesTest, TheLevelsHaveTheRoughnessThatTheEngineLooksUp) {
   const Outcome outcome = run("bake white -o out --size 32 --irradiance-size 4 --brdf-size 2 --for unity");
   EXPECT_THAT(outcome.err, HasSubstr("Unity looks for roughness 1 in level 6, and this chain has it in level 3"));
   succeed("bake white -o six --size 64 --levels 7 --irradiance-size 4 --brdf-size 2 --for unity");
-  const nlohmann::json levels = json("out/manifest.json")["specular"]["levels"];
+  const nlohmann::json levels = jsonIn("out/manifest.json")["specular"]["levels"];
   ASSERT_EQ(levels.size(), 4u);
   for (int level = 1; level < 4; ++level) {
     const double roughness = levels[std::size_t(level)]["perceptual_roughness"];
@@ -125,12 +119,12 @@ TEST_F(BakeChoicesTest, RotationTurnsEveryMap) {
     const auto coefficients = [&](const std::string& folder, const std::string& form) {
       glm::vec3 red;
       for (int axis = 0; axis < 3; ++axis)
-        red[axis] = json(folder + "/sh.json")[form][std::size_t((axis + 2) % 3 + 1)][0];
+        red[axis] = jsonIn(folder + "/sh.json")[form][std::size_t((axis + 2) % 3 + 1)][0];
       return red;
     };
     for (const std::string form : {"radiance", "irradiance_windowed"})
       EXPECT_LT(glm::distance(coefficients("turned", form), target_from_source * coefficients("ours", form)), 1e-4f);
-    EXPECT_EQ(json("turned/manifest.json")["rotate_deg"].size(), rotate == "90" ? 1u : 2u);
+    EXPECT_EQ(jsonIn("turned/manifest.json")["rotate_deg"].size(), rotate == "90" ? 1u : 2u);
   }
 }
 
@@ -138,7 +132,7 @@ TEST_F(BakeChoicesTest, LevelsAreAsManyAsAskedFor) {
   for (const int count : {1, 2, 5}) {
     succeed("bake white -o out --size 16 --irradiance-size 4 --brdf-size 2 --levels " + std::to_string(count));
     EXPECT_EQ(texture("out/specular.ktx2").levels(), count);
-    const nlohmann::json levels = json("out/manifest.json")["specular"]["levels"];
+    const nlohmann::json levels = jsonIn("out/manifest.json")["specular"]["levels"];
     ASSERT_EQ(levels.size(), std::size_t(count));
     EXPECT_EQ(levels[0]["perceptual_roughness"], 0.0);
     EXPECT_EQ(levels.back()["perceptual_roughness"], count > 1 ? 1.0 : 0.0);

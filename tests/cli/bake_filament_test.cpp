@@ -23,11 +23,6 @@ using ::testing::Not;
 
 class BakeFilamentTest : public CliTest {
  protected:
-  nlohmann::json json(const std::string& name) const {
-    const Bytes text = bytes(name);
-    return nlohmann::json::parse(text.begin(), text.end());
-  }
-
   /// sh.txt as Filament's programs read it (filamentapp, IBL::loadFromDirectory).
   FilamentHarmonics harmonicsIn(const std::string& name) const {
     const Bytes text = bytes(name);
@@ -68,7 +63,7 @@ TEST_F(BakeFilamentTest, TheFolderIsCmgens) {
     EXPECT_THAT(succeed("info sets/room/" + file), HasSubstr("KTX1, b10g11r11 ufloat"));
   // As fine as a panorama of 32 rows.
   EXPECT_EQ(texture("sets/room/room_skybox.ktx").at(0, 0).width(), 16);
-  EXPECT_EQ(json("sets/room/manifest.json")["skybox"]["size"], 16);
+  EXPECT_EQ(jsonIn("sets/room/manifest.json")["skybox"]["size"], 16);
 }
 
 TEST_F(BakeFilamentTest, TheFilesAreNamedByTheFolderHoweverItIsWritten) {
@@ -119,7 +114,7 @@ TEST_F(BakeFilamentTest, TheTextureHasTheSameHarmonics) {
 TEST_F(BakeFilamentTest, TheLevelsHaveTheRoughnessThatTheShaderLooksUp) {
   for (const auto& [size, count] : std::vector<std::pair<int, int>>{{256, 5}, {64, 3}, {32, 2}, {16, 5}, {100, 3}}) {
     succeed("bake white --for filament --size " + std::to_string(size) + " -o room");
-    const nlohmann::json levels = json("room/manifest.json")["specular"]["levels"];
+    const nlohmann::json levels = jsonIn("room/manifest.json")["specular"]["levels"];
     ASSERT_EQ(levels.size(), std::size_t(count)) << size;
     ASSERT_EQ(texture("room/room_ibl.ktx").levels(), count);
     for (int level = 0; level < count; ++level) {

@@ -22,11 +22,6 @@ class BakePicturesTest : public CliTest {
  protected:
   BakePicturesTest() { write("map.exr", smoothPanorama()); }
 
-  nlohmann::json json(const std::string& name) const {
-    const Bytes text = bytes(name);
-    return nlohmann::json::parse(text.begin(), text.end());
-  }
-
   /// The greatest difference of light, of images with alpha or without.
   static float difference(const Image& a, const Image& b) {
     float max = 0.0f;
@@ -74,7 +69,7 @@ TEST_F(BakePicturesTest, EachLevelIsSixPictures) {
 
 TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
   succeed(kSmallPictures + std::string("--extension exr --format half --skybox -o out"));
-  const nlohmann::json manifest = json("out/manifest.json");
+  const nlohmann::json manifest = jsonIn("out/manifest.json");
   EXPECT_EQ(manifest["specular"]["format"], "three channels of half floats");
   std::vector<std::string> named{"brdf.exr", "lobe_rows.json", "lobe_rows.ktx2", "manifest.json", "sh.h", "sh.json"};
   const auto add = [&](const nlohmann::json& map) {
@@ -92,7 +87,7 @@ TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
 }
 
 TEST_F(BakePicturesTest, SixPicturesAreReadAsACube) {
-  succeed(kSmallPictures + std::string("--extension exr --for three -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --for three --mip-mapping filament -o out"));
   EXPECT_THAT(succeed("info out/m1_ny.exr"), HasSubstr("cube, faces, axes="));
   succeed(kSmallPictures + std::string("--format float32 -o ours"));
   succeed("convert out/m0_px.exr --to equirect --size 16 -o its.exr");
@@ -123,15 +118,15 @@ TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {
 TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
   for (const std::string program : {"", " --for unreal", " --for three"}) {
     const std::string to = " --format float32 --rotate 40,10" + program;
-    succeed(kSmallPictures + std::string("--skybox-size 64 -o out") + to);
+    succeed(kSmallPictures + std::string("--mip-mapping filament --skybox-size 64 -o out") + to);
     succeed("convert map.exr --to cube --size 64 -o cube.ktx2" + to);
     const ImageSet skybox = texture("out/skybox.ktx2");
     const ImageSet cube = texture("cube.ktx2");
     for (int face = 0; face < 6; ++face) EXPECT_EQ(difference(skybox.at(0, face), cube.at(0, face)), 0.0f);
   }
-  EXPECT_EQ(json("out/manifest.json")["skybox"]["file"], "skybox.ktx2");
-  EXPECT_EQ(json("out/manifest.json")["skybox"]["size"], 64);
-  EXPECT_EQ(json("out/manifest.json")["skybox"]["format"], "r32g32b32a32 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["skybox"]["file"], "skybox.ktx2");
+  EXPECT_EQ(jsonIn("out/manifest.json")["skybox"]["size"], 64);
+  EXPECT_EQ(jsonIn("out/manifest.json")["skybox"]["format"], "r32g32b32a32 sfloat");
 }
 
 // As fine as 32 rows; of a function, which has any detail, as much as an engine wants.

@@ -19,13 +19,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class BakeTest : public CliTest {
- protected:
-  nlohmann::json json(const std::string& name) const {
-    const Bytes text = bytes(name);
-    return nlohmann::json::parse(text.begin(), text.end());
-  }
-};
+class BakeTest : public CliTest {};
 
 TEST_F(BakeTest, AFolderHasAllThatAnEngineLoads) {
   write("map.exr", smoothPanorama());
@@ -52,7 +46,7 @@ TEST_F(BakeTest, ThePublishedSumIsInTheFiles) {
   const EnvironmentMap panorama = *convert(map.environment, Projection::equirect, 128);
   const ImageSet specular = texture("out/specular.ktx2");
   const ImageSet irradiance = texture("out/irradiance.ktx2");
-  const nlohmann::json manifest = json("out/manifest.json");
+  const nlohmann::json manifest = jsonIn("out/manifest.json");
   for (int level = 1; level < specular.levels(); ++level) {
     const double roughness = manifest["specular"]["levels"][std::size_t(level)]["perceptual_roughness"];
     const int size = specular.at(level, 0).width();
@@ -74,7 +68,7 @@ TEST_F(BakeTest, ThePublishedSumIsInTheFiles) {
 
 TEST_F(BakeTest, TheManifestSaysWhatIsWhat) {
   succeed("bake sky -o out --size 16 --mip-mapping frostbite --distribution charlie --brdf-size 8 --sh-degree 4");
-  const nlohmann::json manifest = json("out/manifest.json");
+  const nlohmann::json manifest = jsonIn("out/manifest.json");
   EXPECT_EQ(manifest["source"], "sky");
   EXPECT_EQ(manifest["specular"]["file"], "specular.ktx2");
   EXPECT_EQ(manifest["specular"]["mip_mapping"], "frostbite");
@@ -85,13 +79,13 @@ TEST_F(BakeTest, TheManifestSaysWhatIsWhat) {
   EXPECT_EQ(manifest["specular"]["levels"][2]["perceptual_roughness"], 1.0);
   EXPECT_EQ(manifest["brdf"]["size"], 8);
   EXPECT_EQ(manifest["harmonics"]["degree"], 4);
-  EXPECT_EQ(json("out/sh.json")["radiance"].size(), 25u);
+  EXPECT_EQ(jsonIn("out/sh.json")["radiance"].size(), 25u);
 }
 
 // ∫ 1 · Y00 = √4π, irradiance π.
 TEST_F(BakeTest, HarmonicsOfWhiteHaveOneCoefficient) {
   succeed("bake white -o out --size 8 --brdf-size 8");
-  const nlohmann::json harmonics = json("out/sh.json");
+  const nlohmann::json harmonics = jsonIn("out/sh.json");
   EXPECT_NEAR(harmonics["radiance"][0][0].get<double>(), std::sqrt(4.0 * std::numbers::pi), 1e-4);
   EXPECT_NEAR(harmonics["irradiance"][0][1].get<double>() * std::sqrt(1.0 / (4.0 * std::numbers::pi)), std::numbers::pi,
               1e-4);
@@ -173,7 +167,7 @@ TEST_F(BakeTest, TooDarkForHalfFloatsIsTold) {
 TEST_F(BakeTest, ANameThatIsNotUtf8IsTold) {
   write("caf\xe9.exr", smoothPanorama());
   succeed("bake caf\xe9.exr --size 8 --brdf-size 8 -o out");
-  EXPECT_THAT(std::string(json("out/manifest.json")["source"]), HasSubstr("caf"));
+  EXPECT_THAT(std::string(jsonIn("out/manifest.json")["source"]), HasSubstr("caf"));
 }
 
 TEST_F(BakeTest, BadTexelsAreRefusedUnlessRepaired) {
@@ -205,7 +199,7 @@ TEST_F(BakeTest, LightThatCannotBeSummedIsRefused) {
   run("bake bright.exr --size 16 --brdf-size 8 -o out");  // says that half floats do not hold it
   const ImageSet irradiance = texture("out/irradiance.ktx2");
   EXPECT_NEAR(rgbAt(irradiance.at(0, 2), 1, 1).x, 1e35f, 1e31f);
-  EXPECT_TRUE(json("out/sh.json")["irradiance"][0][0].is_number());
+  EXPECT_TRUE(jsonIn("out/sh.json")["irradiance"][0][0].is_number());
 }
 
 TEST_F(BakeTest, NoFileOfASetOverwritesTheInput) {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "gl_driver.h"
@@ -130,6 +131,11 @@ std::map<std::string, Bytes> CliTest::snapshot() const {
 }
 
 Bytes CliTest::bytes(const std::string& name) const { return need(readFile(path(name))); }
+
+nlohmann::json CliTest::jsonIn(const std::string& name) const {
+  const Bytes text = bytes(name);
+  return nlohmann::json::parse(text.begin(), text.end());
+}
 
 Image CliTest::image(const std::string& name) const { return need(readImage(path(name))).image; }
 

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json_fwd.hpp>
 
 #include "cli/program.h"
 #include "mirrorball/base/file.h"
@@ -64,6 +65,7 @@ class CliTest : public ::testing::Test {
   std::vector<std::string> files() const;
 
   Bytes bytes(const std::string& name) const;
+  nlohmann::json jsonIn(const std::string& name) const;
   Image image(const std::string& name) const;
   ImageSet texture(const std::string& name) const;
   LoadedEnvironment environment(const std::string& name) const;

@@ -12,19 +12,20 @@ namespace mirrorball {
 
 /// What a remark is about, for callers that treat kinds differently.
 enum class RemarkKind {
-  light_lost,       ///< the requested format cannot hold light this bright
-  digits_lost,      ///< it holds only few digits of light this dark
-  negative_raised,  ///< values below 0 became 0
-  format_widened,   ///< written in 32-bit floats, since half floats do not hold the light
-  alpha_lost,       ///< the format has no alpha
-  form_unsaid,      ///< the file does not say what map it holds; `detail` is the hint that does (FormHint)
-  light_limited,    ///< LightLimits::max took so much of it
-  form_doubted,     ///< something speaks against a map's form; `detail` has the hints for others, with '|' between
-  levels_remade,    ///< a texture's mip levels are not those of the converted map
-  levels_left_out,  ///< of its mip levels only the first is taken
-  model_reduced,    ///< a model has what is not read, or what is not drawn
-  body_open,        ///< a transmitting body has an open surface
-  levels_few,       ///< there are not the mip levels that their reader expects; `detail` is how many that would be
+  light_lost,        ///< the requested format cannot hold light this bright
+  light_too_bright,  ///< nor can the only kind of file that a program reads
+  digits_lost,       ///< it holds only few digits of light this dark
+  negative_raised,   ///< values below 0 became 0
+  format_widened,    ///< written in 32-bit floats, since half floats do not hold the light
+  alpha_lost,        ///< the format has no alpha
+  form_unsaid,       ///< the file does not say what map it holds; `detail` is the hint that does (FormHint)
+  light_limited,     ///< LightLimits::max took so much of it
+  form_doubted,      ///< something speaks against a map's form; `detail` has the hints for others, with '|' between
+  levels_remade,     ///< a texture's mip levels are not those of the converted map
+  levels_left_out,   ///< of its mip levels only the first is taken
+  model_reduced,     ///< a model has what is not read, or what is not drawn
+  body_open,         ///< a transmitting body has an open surface
+  levels_few,        ///< there are not the mip levels that their reader expects; `detail` is how many that would be
 };
 
 /// What a caller did not ask for but should know.

@@ -73,8 +73,8 @@ TEST(LoadModel, NamesAMissingFileAndAnUnknownKind) {
 TEST(LoadModel, TellsHowFarItIsAndCanBeStopped) {
   const std::string path = ::testing::TempDir() + "/stopped.glb";
   Scene scene = *loadModel("showcase");
-  scene.textures.resize(2);
-  for (int i = 0; i < 2; ++i) {
+  scene.textures.resize(8);
+  for (int i = 0; i < 8; ++i) {
     scene.textures[std::size_t(i)].image = Image8(64, 64, 4, std::uint8_t(100 + i));
     scene.materials[std::size_t(i)].base_color_map.texture = i;
   }

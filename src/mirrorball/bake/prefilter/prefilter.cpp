@@ -65,10 +65,14 @@ Result<ImageSet> chainOf(const Environment& environment, const LightHarmonics& l
 
 }  // namespace
 
-float roughnessOfLevel(MipMapping mapping, int level, int last) {
-  if (level == last) return 1.0f;  // whatever rounding does to the formulas
+float roughnessOfLevel(MipMapping mapping, int level, int last, int size) {
   const float lod = static_cast<float>(level);
   const float max = static_cast<float>(last);
+  const float octaves = std::log2(static_cast<float>(size));
+  // Babylon.js reads roughness 1 between two levels, so that one of them is wider than it. GGX goes on to α = 2; the
+  // levels behind are never read.
+  if (mapping == MipMapping::babylon) return std::sqrt(std::exp2(std::min(lod / 0.8f - octaves, 1.0f)));
+  if (level == last) return 1.0f;  // whatever rounding does to the formulas
   switch (mapping) {
     case MipMapping::linear:
       return lod / max;
@@ -78,7 +82,10 @@ float roughnessOfLevel(MipMapping mapping, int level, int last) {
       return (1.7f - std::sqrt(1.7f * 1.7f - 4.0f * 0.7f * lod / max)) / (2.0f * 0.7f);
     case MipMapping::frostbite:
       return (lod / max) * (lod / max);
+    case MipMapping::gltf:
+      return std::sqrt(std::exp2(octaves * (lod / max - 1.0f)));
     case MipMapping::filament:
+    case MipMapping::babylon:
       break;
   }
   return formula::roughnessOfLod(lod, max);
@@ -117,7 +124,7 @@ std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options) {
   std::vector<PrefilterLevel> levels(static_cast<std::size_t>(last) + 1);
   parallelFor(levels.size(), 1, [&](std::size_t begin, std::size_t) {
     const int level = static_cast<int>(begin);
-    const float roughness = level == 0 ? 0.0f : roughnessOfLevel(options.mip_mapping, level, last);
+    const float roughness = level == 0 ? 0.0f : roughnessOfLevel(options.mip_mapping, level, last, options.size);
     levels[begin] = {levelSide(options.size, level), roughness, {}};
     if (formula::alphaFromPerceptualRoughness(roughness) >= Lobe::kMinAlpha)
       levels[begin].lobe = Lobe::reflection(options.distribution, roughness);

@@ -21,10 +21,15 @@ enum class MipMapping {
   unreal,     ///< lod = M + 1.2 log₂ r
   unity,      ///< lod = M r (1.7 − 0.7 r)
   frostbite,  ///< lod = M √r
+  babylon,    ///< lod = 0.8 log₂(w α), w texels a side of level 0, whatever M is: the last levels have an α above 1
+  gltf,       ///< lod = M (1 + log₂ α / log₂ w)
 };
 
-/// The perceptual roughness of a level, from 1 to `last`, the level of roughness 1. Level 0 is a mirror: 0.
-float roughnessOfLevel(MipMapping mapping, int level, int last);
+/// The perceptual roughness of a level, from 1 to `last`, the level of roughness 1 (but for babylon). Level 0 is a
+/// mirror: 0.
+///
+/// size     of level 0 [texels]
+float roughnessOfLevel(MipMapping mapping, int level, int last, int size);
 
 struct PrefilterOptions {
   int size = 256;  ///< of level 0, at least 1
@@ -46,8 +51,8 @@ struct PrefilterLevel {
   std::optional<Lobe> lobe;  ///< nothing: the environment itself
 };
 
-/// The levels of a chain; the last one has roughness 1. The first one is the environment itself, and so are the next
-/// ones if their lobes would be narrower than Lobe::kMinAlpha.
+/// The levels of a chain; the last one has roughness 1, but for MipMapping::babylon. The first one is the environment
+/// itself, and so are the next ones if their lobes would be narrower than Lobe::kMinAlpha.
 ///
 /// cost     2 ms, for the bands of narrow lobes
 std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options);

@@ -80,7 +80,7 @@ TEST(Prefilter, ASunOfOneTexelOnBlackIsItsLobe) {
   for (int c = 0; c < 3; ++c) map.face(0).texel(100, 60)[c] = 1e5f;
   const ImageSet chain = chainOf(map, 64);
   for (int level = 1; level < chain.levels(); ++level) {
-    const double roughness = static_cast<double>(roughnessOfLevel(MipMapping::filament, level, 4));
+    const double roughness = static_cast<double>(roughnessOfLevel(MipMapping::filament, level, 4, 64));
     const int size = chain.at(level, 0).width();
     for (int face = 0; face < 6; ++face)
       for (int x = 0; x < size; x += 3) {
@@ -207,11 +207,11 @@ TEST(Prefilter, TellsItsProgressToTheEnd) {
 }
 
 TEST(MipMappings, EndAtRoughnessOneAndGrow) {
-  for (const MipMapping mapping :
-       {MipMapping::filament, MipMapping::linear, MipMapping::unreal, MipMapping::unity, MipMapping::frostbite}) {
+  for (const MipMapping mapping : {MipMapping::filament, MipMapping::linear, MipMapping::unreal, MipMapping::unity,
+                                   MipMapping::frostbite, MipMapping::gltf}) {
     float before = 0.0f;
     for (int level = 1; level <= 6; ++level) {
-      const float roughness = roughnessOfLevel(mapping, level, 6);
+      const float roughness = roughnessOfLevel(mapping, level, 6, 256);
       EXPECT_GT(roughness, before);
       before = roughness;
     }
@@ -222,12 +222,16 @@ TEST(MipMappings, EndAtRoughnessOneAndGrow) {
 TEST(MipMappings, AreTheInversesOfWhatEnginesLookUp) {
   for (int level = 1; level <= 6; ++level) {
     const auto lod = static_cast<float>(level);
-    const auto r = [level](MipMapping mapping) { return roughnessOfLevel(mapping, level, 6); };
+    const auto r = [level](MipMapping mapping) { return roughnessOfLevel(mapping, level, 6, 256); };
     EXPECT_NEAR(formula::lodOfRoughness(r(MipMapping::filament), 6.0f), lod, 1e-5f);
     EXPECT_NEAR(6.0f * r(MipMapping::linear), lod, 1e-5f);
     EXPECT_NEAR(6.0f + 1.2f * std::log2(r(MipMapping::unreal)), lod, 1e-5f);
     EXPECT_NEAR(6.0f * r(MipMapping::unity) * (1.7f - 0.7f * r(MipMapping::unity)), lod, 1e-5f);
     EXPECT_NEAR(6.0f * std::sqrt(r(MipMapping::frostbite)), lod, 1e-5f);
+    const auto alpha = [&](MipMapping mapping) { return r(mapping) * r(mapping); };
+    EXPECT_NEAR(0.8f * std::log2(256.0f * alpha(MipMapping::babylon)), lod, 1e-5f);
+    // Babylon.js' glTF loader makes the scale of its logarithm fit the number of levels.
+    EXPECT_NEAR(6.0f / std::log2(256.0f) * std::log2(256.0f * alpha(MipMapping::gltf)), lod, 1e-5f);
   }
 }
 

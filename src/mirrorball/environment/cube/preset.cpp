@@ -19,12 +19,16 @@ constexpr auto kAliases = std::to_array<Alias>({{"gl", "opengl"},
                                                 {"ue5", "unreal"},
                                                 {"threejs", "three"},
                                                 {"three.js", "three"},
-                                                {"exr", "openexr"}});
+                                                {"exr", "openexr"},
+                                                {"babylonjs", "babylon"},
+                                                {"babylon.js", "babylon"},
+                                                {"pc", "playcanvas"},
+                                                {"glb", "gltf"}});
 
 /// OpenGL's table in the axes by which a program looks its cubes up.
 CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }
 
-const std::array<Preset, 11>& table() {
+const std::array<Preset, 14>& table() {
   using enum SignedAxis;
   const CubeArrangement ours;
   // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the
@@ -33,7 +37,7 @@ const std::array<Preset, 11>& table() {
   // (ConversionUtilities.h) to (x, z, y).
   const CubeArrangement x_mirrored = tableIn({.x = minus_x});
   const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
-  static const std::array<Preset, 11> presets{{
+  static const std::array<Preset, 14> presets{{
       {"opengl", "OpenGL", ours, plus_z, CubeLayout::faces},
       {"vulkan", "Vulkan", ours, plus_z, CubeLayout::faces},
       {"directx", "Direct3D", ours, plus_z, CubeLayout::faces},
@@ -48,6 +52,13 @@ const std::array<Preset, 11>& table() {
       {"filament", "Filament", ours, plus_z, CubeLayout::faces},
       // envmap_fragment.glsl.js: textureCube(envMap, (-x, y, z)), and u = 1/2 + atan2(z, x) / 2 pi.
       {"three", "three.js", x_mirrored, plus_x, CubeLayout::faces},
+      // Its glTF loader takes our (x, y, z) to (-x, y, z); CalcProjectionSpherical (panoramaToCubemap.ts) and the names
+      // of its faces make u = 1/2 + atan2(x, z) / 2 pi in those axes.
+      {"babylon", "Babylon.js", x_mirrored, plus_z, CubeLayout::faces},
+      // reflectionCube.js: a cube is read at (-x, y, z); spherical.js: u = 1/2 + atan2(-x, z) / 2 pi.
+      {"playcanvas", "PlayCanvas", x_mirrored, plus_z, CubeLayout::faces},
+      // It has our axes, and no maps but those in EXT_lights_image_based.
+      {"gltf", "glTF", std::nullopt, plus_z, CubeLayout::faces},
       // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).
       {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces},
       // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from

@@ -22,7 +22,8 @@ struct Preset {
   bool has_texels_on_edges = false;     ///< MapForm::has_texels_on_edges
 };
 
-/// opengl, vulkan, directx, unity, unreal, godot, filament, three, blender, renderman, openexr
+/// opengl, vulkan, directx, unity, unreal, godot, filament, three, babylon, playcanvas, gltf, blender, renderman,
+/// openexr
 std::span<const Preset> presets();
 
 /// Their names, in that order.

@@ -30,7 +30,7 @@ TEST(Preset, EveryArrangementIsACube) {
     }
 }
 
-// Unity's and three.js' look-ups mirror x, Unreal's exchange y and z; all three then read by OpenGL's table.
+// Unity's look-ups and those of web engines mirror x, Unreal's exchange y and z; all then read by OpenGL's table.
 TEST(Preset, ACubeAnswersByTheProgramsLookUp) {
   const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 128), Projection::cube, 64);
   const auto expectLookUp = [&](std::string_view name, glm::mat3 program_from_ours) {
@@ -44,7 +44,7 @@ TEST(Preset, ACubeAnswersByTheProgramsLookUp) {
   for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "filament", "renderman"})
     expectLookUp(name, glm::mat3(1.0f));
   expectLookUp("unity", x_mirrored);
-  expectLookUp("three", x_mirrored);
+  for (const std::string_view name : {"three", "babylon", "playcanvas"}) expectLookUp(name, x_mirrored);
   expectLookUp("unreal", z_up);
 }
 
@@ -64,6 +64,8 @@ TEST(Preset, APanoramaAnswersByTheProgramsFormula) {
   for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "renderman"})
     expectLongitude(name, [](glm::vec3 d) { return turns(d.x, -d.z); });
   expectLongitude("filament", [](glm::vec3 d) { return 0.5f + turns(-d.x, d.z); });
+  for (const std::string_view name : {"babylon", "playcanvas"})
+    expectLongitude(name, [](glm::vec3 d) { return 0.5f + turns(-d.x, d.z); });
   expectLongitude("three", [](glm::vec3 d) { return 0.5f + turns(d.z, d.x); });
   expectLongitude("unity", [](glm::vec3 d) { return 0.5f - turns(d.z, -d.x); });
   expectLongitude("unreal", [](glm::vec3 d) { return 0.5f + turns(d.x, -d.z); });
@@ -75,6 +77,7 @@ TEST(Preset, WhatAProgramDoesNotTakeIsTold) {
     return formFor(*presetNamed(name), projection, CubeLayout::hcross).error().message;
   };
   EXPECT_THAT(messageFor("blender", Projection::cube), HasSubstr("Blender has no cube maps"));
+  EXPECT_THAT(messageFor("gltf", Projection::cube), HasSubstr("glTF has no cube maps"));
   EXPECT_THAT(messageFor("three", Projection::angular), HasSubstr("no map of projection angular"));
   EXPECT_THAT(messageFor("openexr", Projection::eac), HasSubstr("no map of projection eac"));
   EXPECT_THAT(messageFor("openexr", Projection::cube), HasSubstr("in the layout vstrip (or faces) only, not hcross"));

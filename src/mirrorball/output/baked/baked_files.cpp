@@ -27,7 +27,7 @@ Result<std::string_view> extensionNamed(const std::string& name, std::span<const
 ///
 /// errors   usage: none that there is, or none that the engine reads
 Result<std::string_view> extensionFor(const EngineSet& set, const std::string& wanted) {
-  if (wanted.empty()) return set.extension;
+  if (wanted.empty() || set.files == SetFiles::packed) return set.extension;
   MIRRORBALL_TRY(extension, extensionNamed(wanted, bakedCubeExtensions()));
   if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
     return fail(ErrorCode::usage, std::string(set.program) + " reads ." + std::string(set.extension) + ", no ." +
@@ -96,17 +96,23 @@ Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettin
   if (fs::exists(folder, status) && !fs::is_directory(folder, status))
     return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
                                       writtenExtensions(Holds::texture, " or ") + " file for the chain only");
+  const bool is_packed = set.files == SetFiles::packed;
   const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
-  const CubeNames chain{is_cmgens ? prefix + "ibl" : "specular", "m", true};
-  MIRRORBALL_TRY(specular, CubeFiles::resolve(settings.file, folder, chain, extension, settings.levels, observer));
-  BakedFiles files{.folder = folder, .set = set, .specular = std::move(specular)};
-  if (is_cmgens || settings.skybox || settings.skybox_size > 0) {
+  BakedFiles files{.folder = folder, .set = set};
+  if (is_packed) files.packed = folder + "/" + kPackedStem + "." + std::string(extension);
+  if (!is_packed || !set.beside.empty()) {
+    const CubeNames chain{is_cmgens ? prefix + "ibl" : is_packed ? kPackedStem : "specular", "m", true};
+    MIRRORBALL_TRY(specular, CubeFiles::resolve(settings.file, folder, chain, is_packed ? set.beside : extension,
+                                                settings.levels, observer));
+    files.specular = std::move(specular);
+  }
+  if (!is_packed && (is_cmgens || settings.skybox || settings.skybox_size > 0)) {
     MIRRORBALL_TRY(skybox,
                    CubeFiles::resolve(settings.file, folder, {prefix + "skybox", "skybox"}, extension, 1, observer));
     files.skybox = std::move(skybox);
   }
   if (settings.split) files.lamps = lampFilesFor(folder + "/" + kLampStem, settings.file.program);
-  if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
+  if (set.files == SetFiles::ours) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
   return files;
 }
 
@@ -129,27 +135,30 @@ Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const Bak
 Result<BakedFiles> BakedFiles::resolve(const std::string& output, const BakedSetSettings& settings,
                                        const EngineSet& set, const Observer& observer) {
   if (!isOneFile(output)) return filesInFolder(output, settings, set, observer);
+  if (set.files == SetFiles::packed && extensionOf(output) == set.extension)
+    return BakedFiles{.set = set, .packed = output};
   if (!isTexturePath(output))
-    return fail(ErrorCode::usage, output + ": a prefiltered chain goes into " +
-                                      writtenExtensions(Holds::texture, " or ") +
-                                      "; or name a folder, without an extension");
+    return fail(ErrorCode::usage,
+                output + ": a prefiltered chain goes into " + writtenExtensions(Holds::texture, " or ") +
+                    (set.files == SetFiles::packed ? ", or into ." + std::string(set.extension) : "") +
+                    "; or name a folder, without an extension");
   MIRRORBALL_TRY(chain, CubeFiles::resolve(settings.file, output, observer));
   return BakedFiles{.set = set, .specular = std::move(chain)};
 }
 
 std::vector<std::string> BakedFiles::paths() const {
-  std::vector<std::string> all = specular.paths();
-  if (folder.empty()) return all;
+  std::vector<std::string> all;
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (!packed.empty()) add({packed});
+  if (specular) add(specular->paths());
+  if (folder.empty()) return all;
   if (irradiance) add(irradiance->paths());
   if (skybox) add(skybox->paths());
   if (brdf) add({brdf->path});
   add(lamps);
   if (lobe_rows) add({lobe_rows->texture(), lobe_rows->text()});
-  if (set.files == SetFiles::cmgens)
-    add({folder + "/sh.txt"});
-  else
-    add({folder + "/sh.json", folder + "/sh.h"});
+  if (set.files == SetFiles::cmgens) add({folder + "/sh.txt"});
+  if (set.files == SetFiles::ours) add({folder + "/sh.json", folder + "/sh.h"});
   add({folder + "/manifest.json"});
   return all;
 }

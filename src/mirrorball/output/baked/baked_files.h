@@ -19,14 +19,16 @@ std::span<const std::string_view> bakedBrdfExtensions();
 /// The value of a setting as its option writes it: "ggx".
 std::string writtenSetting(const BakedSetSettings& settings, std::string_view name);
 
-/// What the names of a set's lamps begin with.
+/// What the names of a set's lamps begin with, and those of a program's own file and of the chain beside it.
 inline constexpr const char* kLampStem = "lamps";
+inline constexpr const char* kPackedStem = "environment";
 
 /// Where the files of a set are, and how they are stored.
 struct BakedFiles {
-  std::string folder = {};  ///< empty: the chain alone
+  std::string folder = {};  ///< empty: one file alone
   EngineSet set;
-  CubeFiles specular;
+  std::optional<CubeFiles> specular = {};
+  std::string packed = {};  ///< of SetFiles::packed; empty: none
   std::optional<CubeFiles> irradiance = {};
   std::optional<CubeFiles> skybox = {};
   std::optional<BrdfFile> brdf = {};

@@ -36,6 +36,10 @@ constexpr std::string_view lookUpOf(MipMapping mapping) {
       return "lod = M r (1.7 - 0.7 r)";
     case MipMapping::frostbite:
       return "lod = M sqrt(r)";
+    case MipMapping::babylon:
+      return "lod = 0.8 log2(w r r)";
+    case MipMapping::gltf:
+      return "lod = M (1 + 2 log2(r) / log2(w))";
     case MipMapping::filament:
       break;
   }
@@ -50,23 +54,28 @@ void addFiles(std::span<const std::string> paths, Json& json) {
 }
 
 Json specularJson(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings) {
-  const std::vector<std::string> paths = files.specular.paths();
+  const std::vector<std::string> paths = files.specular ? files.specular->paths() : std::vector<std::string>();
+  const bool is_texture = paths.size() == 1;
   Json json;
-  if (files.specular.isTexture()) addFiles(paths, json);
-  json["format"] = facts.formats.specular;
+  if (is_texture) addFiles(paths, json);
+  if (files.specular) json["format"] = facts.formats.specular;
   json["what"] =
       "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
   json["distribution"] = writtenSetting(settings, "distribution");
   json["mip_mapping"] = writtenSetting(settings, "mip-mapping");
-  json["look_up"] = std::string(lookUpOf(*settings.mip_mapping)) +
-                    ", r the perceptual roughness, M = " + std::to_string(facts.levels.size() - 1);
+  const MipMapping mapping = *settings.mip_mapping;
+  std::string look_up =
+      std::string(lookUpOf(mapping)) + ", r the perceptual roughness, M = " + std::to_string(facts.levels.size() - 1);
+  if (mapping == MipMapping::babylon || mapping == MipMapping::gltf)
+    look_up += ", w = " + std::to_string(settings.size) + ", the side of level 0";
+  json["look_up"] = look_up;
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const PrefilterLevel& level = facts.levels[i];
     Json row{{"size", level.size},
              {"perceptual_roughness", level.perceptual_roughness},
              {"alpha", formula::alphaFromPerceptualRoughness(level.perceptual_roughness)},
              {"prefiltered", level.lobe.has_value()}};
-    if (!files.specular.isTexture()) addFiles(std::span(paths).subspan(6 * i, 6), row);
+    if (files.specular && !is_texture) addFiles(std::span(paths).subspan(6 * i, 6), row);
     json["levels"].push_back(std::move(row));
   }
   return json;
@@ -142,6 +151,8 @@ bool isOurs(const fs::path& name) {
   const std::string extension = extensionOf(name);
   if (stem == "sh") return extension == "json" || extension == "h" || extension == "txt";
   if (name.string().starts_with(kLampStem) && checkLampFile(name.string())) return true;
+  if (stem == kPackedStem && (isTexturePath(name) || extension == "env" || extension == "png" || extension == "glb"))
+    return true;
   if (name == LobeRowFiles::kTextureName || name == LobeRowFiles::kTextName) return true;
   if (!formatToWrite(name, {Holds::light, Holds::texture})) return false;
   if (isTexturePath(name) && (stem.ends_with("_ibl") || stem.ends_with("_skybox"))) return true;
@@ -162,8 +173,13 @@ std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const B
   json["made_by"] = settings.made_by;
   json["source"] = settings.source;
   if (!settings.rotate_deg.empty()) json["rotate_deg"] = settings.rotate_deg;
-  const std::string arrangement = textOf(files.specular.form().arrangement);
-  json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
+  if (files.specular) {
+    const std::string arrangement = textOf(files.specular->form().arrangement);
+    json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
+  }
+  if (!files.packed.empty())
+    json["packed"] = {{"file", fs::path(files.packed).filename()},
+                      {"what", "all that the program needs, in its own kind of file"}};
   json["specular"] = specularJson(facts, files, settings);
   if (files.irradiance)
     json["irradiance"] = cubeJson(*files.irradiance, facts.formats.irradiance, settings.irradiance_size,
@@ -174,7 +190,8 @@ std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const B
   if (files.brdf) json["brdf"] = brdfJson(*files.brdf, settings);
   if (files.lobe_rows) json["lobe_rows"] = lobeRowsJson(*files.lobe_rows);
   if (!files.lamps.empty()) json["lamps"] = lampsJson(files.lamps, facts.lamps);
-  json["harmonics"] = harmonicsJson(files.set, settings);
+  if (files.set.files == SetFiles::cmgens || files.set.files == SetFiles::ours)
+    json["harmonics"] = harmonicsJson(files.set, settings);
   // File names need not be UTF-8, which JSON is.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <future>
 #include <string_view>
@@ -83,22 +84,29 @@ int skyboxSize(const BakedSetSettings& settings, const Environment& environment)
   return settings.skybox_size > 0 ? settings.skybox_size : std::min(environment.naturalSize(Projection::cube), kMax);
 }
 
+/// The memory of a packed file beside the maps: texels of four bytes on all levels, coded and in the file.
+std::uint64_t packedBytes(int size) {
+  return std::uint64_t{2} * 4 * 6 * std::uint64_t(size) * std::uint64_t(size) * 4 / 3;
+}
+
 /// Which maps the files want of an environment.
 BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& files, const Environment& environment) {
-  const bool needs_harmonics = !files.folder.empty() || files.set.files == SetFiles::cmgens;
+  const bool needs_harmonics = files.set.files == SetFiles::cmgens || !files.packed.empty() ||
+                               (files.set.files == SetFiles::ours && !files.folder.empty());
   BakeSettings maps{.size = settings.size,
                     .levels = settings.levels,
                     .distribution = settings.distribution,
                     .mip_mapping = *settings.mip_mapping,
-                    .irradiance_size = files.irradiance ? settings.irradiance_size : 0,
+                    .irradiance_size = files.irradiance || !files.packed.empty() ? settings.irradiance_size : 0,
                     .harmonics_degree = needs_harmonics ? settings.harmonics_degree : 0,
                     .skybox_size = files.skybox ? skyboxSize(settings, environment) : 0,
                     .source_from_target = sourceFromRotated(settings.rotate_deg),
                     .memory_meanwhile = files.brdf ? bytesOfTable(settings) : 0,
-                    .memory_after = files.specular.memoryToWrite(settings.size)};
+                    .memory_after = files.packed.empty() ? 0 : packedBytes(settings.size)};
   const auto packs = [&](const std::optional<CubeFiles>& cube, int size) {
     if (cube) maps.memory_after = std::max(maps.memory_after, cube->memoryToWrite(size));
   };
+  packs(files.specular, maps.size);
   packs(files.irradiance, maps.irradiance_size);
   packs(files.skybox, maps.skybox_size);
   return maps;
@@ -108,6 +116,19 @@ BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& fi
 Metadata factsFor(const EngineSet& set, const Harmonics& radiance) {
   if (set.files != SetFiles::cmgens) return {};
   return {{kFilamentHarmonicsKey, textOf(filamentHarmonics(radiance))}};
+}
+
+/// Writes a program's own file, and tells what it does not hold.
+Result<void> packInto(const BakedFiles& files, const BakedMaps& maps, const Observer& observer) {
+  MIRRORBALL_TRY(packed, withName(files.packed, files.set.pack(maps)));
+  MIRRORBALL_TRY_VOID(writeFile(files.packed, packed.bytes));
+  if (packed.lost.lost > 0.0)
+    observer.tell(RemarkKind::light_too_bright,
+                  files.packed + ": the format ends at " + std::to_string(std::lround(packed.brightest)) +
+                      ", and what is brighter was lowered to that: " + percentOf(packed.lost) +
+                      " of the light is lost");
+  observer.tellWritten(files.packed);
+  return {};
 }
 
 /// Writes the files of a set one after the other, as long as nobody stops it.
@@ -123,6 +144,13 @@ class SetWriter {
     if (!cube) return std::string();
     MIRRORBALL_TRY_VOID(goOn());
     return ofSet(cube->write(std::move(levels), facts, [this] { return goOn(); }));
+  }
+
+  /// Writes a program's own file, as far as the set has it.
+  Result<void> writePacked(const BakedMaps& maps) {
+    if (files_.packed.empty()) return {};
+    MIRRORBALL_TRY_VOID(goOn());
+    return packInto(files_, maps, observer_);
   }
 
   Result<void> writeTable(const std::optional<BrdfFile>& file, Image table) {
@@ -197,12 +225,13 @@ BakedSet& BakedSet::operator=(BakedSet&&) noexcept = default;
 BakedSet::~BakedSet() = default;
 
 Result<BakedSet> BakedSet::resolve(const std::string& output, const BakedSetSettings& settings, Observer observer) {
-  MIRRORBALL_TRY(set, engineSetFor(settings.file.program));
+  MIRRORBALL_TRY(set, engineSetFor(settings.file.program, settings.mip_mapping));
   if (settings.levels > maxLevels(settings.size))
     return fail(ErrorCode::usage, std::to_string(settings.levels) + " levels: a cube of " +
                                       counted(std::size_t(settings.size), "texel") + " a face has at most " +
                                       std::to_string(maxLevels(settings.size)) +
                                       ", the last of one texel a face; ask for no more");
+  MIRRORBALL_TRY_VOID(checkChain(set, settings.size, settings.levels));
   BakedSetSettings settled = settings;
   const bool is_counted = settings.levels > 0;
   if (!is_counted) settled.levels = levelCountFor(set, settings.size);
@@ -265,9 +294,10 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
   }
   return parts.observer.timed("files: write", [&]() -> Result<void> {
     if (!parts.files.folder.empty()) return parts.writeFolder(std::move(maps), std::move(table), lamps, environment);
+    if (!parts.files.packed.empty()) return packInto(parts.files, maps, parts.observer);
     const Metadata facts = factsFor(parts.files.set, maps.radiance);
-    MIRRORBALL_TRY_VOID(parts.files.specular.write(std::move(maps.specular), facts, [] { return Result<void>(); }));
-    parts.files.specular.remarkOnForm();
+    MIRRORBALL_TRY_VOID(parts.files.specular->write(std::move(maps.specular), facts, [] { return Result<void>(); }));
+    parts.files.specular->remarkOnForm();
     return {};
   });
 }
@@ -281,6 +311,7 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const std:
   removeOlderSet(files, of.files);
   const int skybox_size = maps.skybox.size();
   WrittenFormats formats;
+  MIRRORBALL_TRY_VOID(writer.writePacked(maps));
   MIRRORBALL_TRY(specular,
                  writer.writeCube(files.specular, std::move(maps.specular), factsFor(files.set, maps.radiance)));
   formats.specular = specular;
@@ -293,9 +324,9 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const std:
   for (const std::string& file : files.lamps) MIRRORBALL_TRY_VOID(writer.writeLampFile(file, lamps));
   BakedSetSettings named = settings;
   if (named.source.empty()) named.source = of.name;
-  if (files.set.files == SetFiles::cmgens) {
+  if (files.set.files == SetFiles::cmgens)
     MIRRORBALL_TRY_VOID(writer.writeText("sh.txt", cmgensHarmonics(filamentHarmonics(maps.radiance))));
-  } else {
+  if (files.set.files == SetFiles::ours) {
     MIRRORBALL_TRY_VOID(writer.writeText("sh.json", harmonicsJson(maps.radiance, settings.harmonics_degree)));
     MIRRORBALL_TRY_VOID(writer.writeText("sh.h", harmonicsHeader(maps.radiance, named.source)));
   }

@@ -51,17 +51,18 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .minimum = 0,
       .maximum = 14,
       .help = "number of mip levels, level 0 included; the last one has roughness 1. 0: down to 4 x 4 texels per face, "
-              "for filament down to 16 x 16"},
+              "for filament down to 16 x 16, for three 8 x 8, for babylon 1 x 1; playcanvas has 6"},
      &BakedSetSettings::levels},
     {{.name = "distribution",
       .choices = "ggx|phong|blinn|charlie",
       .help = "microfacet distribution; charlie is for cloth"},
      choiceField<&BakedSetSettings::distribution>},
     {{.name = "mip-mapping",
-      .choices = "auto|filament|linear|unreal|unity|frostbite",
-      .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal and "
-              "unity have "
-              "their own, godot has that of frostbite, all others that of filament"},
+      .choices = "auto|filament|linear|unreal|unity|frostbite|babylon|gltf",
+      .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal, unity, "
+              "babylon and gltf have their own, godot has that of frostbite, playcanvas the linear one, all others "
+              "that of filament. With any other, {option:for} three, babylon and playcanvas get separate maps in "
+              "place of their own file"},
      kMipMappingField},
     {{.name = "irradiance-size",
       .value = "N",
@@ -112,12 +113,12 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
      &BakedSetSettings::skybox_size},
     {{.name = "split",
       .help = "take small lamps, such as the sun, out of all maps and write them beside them as directional lights: "
-              "lamps.glb, lamps.json and, {option:for} three, godot and blender, code"},
+              "lamps.glb, lamps.json and, {option:for} three, babylon, godot and blender, code"},
      &BakedSetSettings::split},
     {{.name = "extension",
       .value = kCubeExtensions,
       .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
-              "it, ktx2, for filament ktx and for openexr exr",
+              "it, ktx2, for filament ktx and for openexr exr. babylon, playcanvas and gltf have files of their own",
       .names = bakedCubeExtensions},
      &BakedSetSettings::extension},
 });

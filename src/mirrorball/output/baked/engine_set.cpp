@@ -2,16 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <string>
 
 #include "mirrorball/base/range.h"
 #include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/output/baked/babylon_environment.h"
+#include "mirrorball/output/baked/image_based_light_gltf.h"
+#include "mirrorball/output/baked/playcanvas_atlas.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
+constexpr std::array<TexelFormat, 2> kOfThree{TexelFormat::float32, TexelFormat::bc6h};
 
-/// docs/prefiltering.md has the sources.
+/// docs/prefiltering.md and docs/engines.md have the sources.
 constexpr auto kEngineSets = std::to_array<EngineSet>({
     {.program = ""},
     {.program = "unreal", .mip_mapping = MipMapping::unreal},
@@ -23,24 +29,82 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .extension = "ktx",
      .format = TexelFormat::b10g11r11,
      .other_formats = kOfFilament,
-     .smallest_face = 16},
+     .smallest_face = 16,
+     .needs_no_others = "Filament has a BRDF table of its own, looks reflections up once, and has irradiance from "
+                        "harmonics of three bands"},
+    {.program = "three",
+     .mip_mapping = MipMapping::filament,
+     .files = SetFiles::chain,
+     .format = TexelFormat::half,
+     .other_formats = kOfThree,
+     .smallest_face = 8,
+     .needs_no_others = "three.js has a BRDF table of its own, looks reflections up once, and finds irradiance in the "
+                        "last level"},
+    {.program = "babylon",
+     .mip_mapping = MipMapping::babylon,
+     .files = SetFiles::packed,
+     .extension = "env",
+     .smallest_face = 1,
+     .needs_power_of_two = true,
+     .beside = "dds",
+     .pack = babylonEnvironment,
+     .needs_no_others = "Babylon.js has a BRDF table of its own, looks reflections up once, and finds the rest in its "
+                        ".env file"},
+    {.program = "playcanvas",
+     .mip_mapping = MipMapping::linear,
+     .files = SetFiles::packed,
+     .extension = "png",
+     .levels = kAtlasLevels,
+     .pack = playcanvasAtlas,
+     .needs_no_others = "PlayCanvas needs no BRDF table, looks reflections up once, and finds the rest in its atlas"},
+    {.program = "gltf",
+     .mip_mapping = MipMapping::gltf,
+     .files = SetFiles::packed,
+     .extension = "glb",
+     .takes_any_mapping = true,
+     .needs_power_of_two = true,
+     .pack = imageBasedLightGltf,
+     .needs_no_others = "EXT_lights_image_based of glTF has reflections and three bands of irradiance only"},
     {.program = "openexr", .extension = "exr"},
 });
 
+/// How a program reads the maps of SetFiles::ours, whose levels have whatever roughness they are asked for.
+EngineSet withOurFiles(const EngineSet& set) { return {.program = set.program, .mip_mapping = set.mip_mapping}; }
+
 }  // namespace
 
-Result<EngineSet> engineSetFor(std::string_view program) {
+Result<EngineSet> engineSetFor(std::string_view program, std::optional<MipMapping> mip_mapping) {
   if (program.empty()) return kEngineSets.front();
   MIRRORBALL_TRY(preset, presetNamed(program));
   const auto* const row = findBy(kEngineSets, preset.name, &EngineSet::program);
-  return row != kEngineSets.end() ? *row : kEngineSets.front();
+  if (row == kEngineSets.end()) return kEngineSets.front();
+  const bool has_a_mapping = row->files == SetFiles::chain || row->files == SetFiles::packed;
+  return mip_mapping && has_a_mapping && !row->takes_any_mapping ? withOurFiles(*row) : *row;
 }
 
 int levelCountFor(const EngineSet& set, int size) {
+  if (set.levels > 0) return set.levels;
   int levels = 1;
-  while (levelSide(size, levels) >= set.smallest_face) ++levels;
+  while (levels < maxLevels(size) && levelSide(size, levels) >= set.smallest_face) ++levels;
   // As cmgen has it: one level would leave all surfaces mirrors.
   return levels == 1 && set.files == SetFiles::cmgens ? maxLevels(size) : levels;
+}
+
+Result<void> checkChain(const EngineSet& set, int size, int levels) {
+  const std::string program(set.program);
+  if (set.needs_power_of_two && !std::has_single_bit(static_cast<unsigned>(size)))
+    return fail(ErrorCode::usage, program + " reads faces whose side is a power of two, not " + std::to_string(size) +
+                                      "; ask for " + std::to_string(std::bit_floor(static_cast<unsigned>(size))));
+  const bool has_all = set.needs_power_of_two && set.smallest_face == 1;
+  const int needed = has_all ? maxLevels(size) : set.levels;
+  if (needed > 0 && levels > 0 && levels != needed)
+    return fail(ErrorCode::usage, program + " reads a chain of " + std::to_string(needed) + " levels, not of " +
+                                      std::to_string(levels) + "; leave their number to it");
+  if (set.levels > maxLevels(size))
+    return fail(ErrorCode::usage, program + " reads " + std::to_string(set.levels) + " levels, and faces of " +
+                                      std::to_string(size) + " texels have " + std::to_string(maxLevels(size)) +
+                                      "; ask for larger ones");
+  return {};
 }
 
 }  // namespace mirrorball

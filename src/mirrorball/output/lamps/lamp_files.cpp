@@ -44,7 +44,10 @@ Result<void> checkLampFile(const std::string& path) {
 
 Result<void> writeLamps(const std::string& path, std::span<const MapLamp> lamps) {
   MIRRORBALL_TRY_VOID(checkLampFile(path));
-  if (endsWith(path, kGlb)) return writeFile(path, lampGlb(lamps));
+  if (endsWith(path, kGlb)) {
+    MIRRORBALL_TRY(file, lampGlb(lamps));
+    return writeFile(path, file);
+  }
   if (endsWith(path, kJson)) return writeText(path, lampJson(lamps).dump(2) + "\n");
   for (const LampSnippet& snippet : lampSnippets())
     if (endsWith(path, snippet.ending)) return writeText(path, snippet.write(lamps));

@@ -5,7 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
-#include "mirrorball/codec/little_endian_writer.h"
+#include "mirrorball/codec/glb_container.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/output/lamps/directional_light.h"
 
@@ -49,20 +49,6 @@ Json documentOf(std::span<const MapLamp> lamps) {
 
 }  // namespace
 
-Bytes lampGlb(std::span<const MapLamp> lamps) {
-  constexpr std::uint32_t kMagic = 0x46546C67;  // "glTF"
-  constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
-  constexpr std::size_t kHeaders = 20;
-  std::string text = documentOf(lamps).dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  LittleEndianWriter file;
-  file.u32(kMagic);
-  file.u32(2);
-  file.u32(static_cast<std::uint32_t>(kHeaders + text.size()));
-  file.u32(static_cast<std::uint32_t>(text.size()));
-  file.u32(kJsonChunk);
-  file.append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  return file.takeBytes();
-}
+Result<Bytes> lampGlb(std::span<const MapLamp> lamps) { return glbFile(documentOf(lamps).dump(), {}); }
 
 }  // namespace mirrorball

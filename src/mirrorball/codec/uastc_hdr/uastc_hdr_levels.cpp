@@ -83,10 +83,10 @@ constexpr EndpointLevels makeEndpointLevels(int count) {
   return levels;
 }
 
-constexpr std::array<int, 8> kWeightCounts{3, 4, 5, 6, 8, 10, 12, 16};
+constexpr std::array<int, 8> kCountsOfLevels{3, 4, 5, 6, 8, 10, 12, 16};
 constexpr std::array<WeightLevels, 8> kWeightLevels = [] {
   std::array<WeightLevels, 8> all;
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = makeWeightLevels(kWeightCounts[i]);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = makeWeightLevels(kCountsOfLevels[i]);
   return all;
 }();
 
@@ -100,9 +100,9 @@ constexpr std::array<EndpointLevels, 6> kEndpointLevels = [] {
 }  // namespace
 
 const WeightLevels& weightLevels(int count) {
-  const auto found = std::find(kWeightCounts.begin(), kWeightCounts.end(), count);
-  assert(found != kWeightCounts.end());
-  return kWeightLevels[std::size_t(found - kWeightCounts.begin())];
+  const auto found = std::find(kCountsOfLevels.begin(), kCountsOfLevels.end(), count);
+  assert(found != kCountsOfLevels.end());
+  return kWeightLevels[std::size_t(found - kCountsOfLevels.begin())];
 }
 
 const EndpointLevels& endpointLevels(int count) {

@@ -63,6 +63,12 @@ std::optional<std::vector<SheetRow>> sheetRows(const MapViewSettings& settings, 
   return rows;
 }
 
+/// A label, if a face has room for its text: a letter is about half as wide as its line is high.
+void addLabel(MapLabel label, int room_px, int line_px, MapLayout& layout) {
+  const auto wide = static_cast<float>(label.text.size()) * 0.5f * static_cast<float>(line_px);
+  if (wide <= static_cast<float>(room_px)) layout.labels.push_back(std::move(label));
+}
+
 /// The highest rows that have room, with a line of text above each.
 void layAll(const MapViewSettings& settings, const PixelRectangle& room, int line_px, MapLayout& layout) {
   const int gap = std::max(line_px / 2, 1);
@@ -87,9 +93,10 @@ void layAll(const MapViewSettings& settings, const PixelRectangle& room, int lin
     for (std::size_t kind = row.first; kind < row.end; ++kind) {
       const Projection projection = projectionOf(settings, static_cast<Projection::Kind>(kind));
       const int size = imageSizeForHeight(projection, height);
-      layout.labels.push_back({textOf(projection), {left, top}});
+      const int wide = shownSize(projection, size).x;
+      addLabel({textOf(projection), {left, top}}, wide + gap, line_px, layout);
       addPanes(projection, size, {left, top + line_px}, layout);
-      left += shownSize(projection, size).x + gap;
+      left += wide + gap;
     }
     top += line_px + height + gap;
   }
@@ -108,9 +115,11 @@ void layLegend(const MapViewSettings& settings, int line_px, PixelRectangle& roo
   constexpr int kIntervals = 4;
   for (int part = 0; part <= kIntervals; ++part) {
     const float share = static_cast<float>(part) / kIntervals;
-    // A letter is about half as wide as its line is high, and the last number ends with the bar.
-    const auto left = static_cast<int>(share * static_cast<float>(std::max(room.extent.x - 2 * line_px, 0)));
-    layout.labels.push_back({stopsText(settings.stops * (2.0f * share - 1.0f)), {corner.x + left, corner.y + line_px}});
+    // The last number ends with the bar.
+    const int most_left = std::max(room.extent.x - 2 * line_px, 0);
+    const auto left = static_cast<int>(share * static_cast<float>(most_left));
+    addLabel({stopsText(settings.stops * (2.0f * share - 1.0f)), {corner.x + left, corner.y + line_px}},
+             most_left / kIntervals, line_px, layout);
   }
 }
 

@@ -174,11 +174,22 @@ Result<bool> Viewer::advance(double seconds) {
   state.askDisk(seconds);
   state.watchPhotos(seconds);
   MIRRORBALL_TRY(is_other_thumbnail, state.thumbnails.follow(state.now()));
-  if (auto saved = state.saving.take()) state.saved_last = *saved ? "wrote " + **saved : saved->error().message;
+  state.takeSaved(seconds);
   if (state.needsMap())
     state.map.follow(state.restingMap(state.sideOfMap(), state.map.loading().asked()), state.options.cache);
   const auto drawn = state.now().shows_map ? state.advanceMap() : state.advanceModel();
   return is_other_thumbnail && drawn ? Result<bool>(true) : drawn;
+}
+
+/// What was written is told for as long as a glance needs.
+void Viewer::State::takeSaved(double seconds) {
+  constexpr double kTold_s = 10.0;
+  since_saved_s += std::max(seconds, 0.0);
+  if (since_saved_s > kTold_s) saved_last.clear();
+  auto saved = saving.take();
+  if (!saved) return;
+  saved_last = *saved ? "wrote " + **saved : saved->error().message;
+  since_saved_s = 0.0;
 }
 
 Result<bool> Viewer::State::advanceModel() {

@@ -89,6 +89,7 @@ struct Viewer::State {
   // What is drawn (viewer_drawing.cpp).
   Result<WantedFrame> wanted(std::size_t side) const;
   Result<bool> advanceModel();
+  void takeSaved(double seconds);
   Result<bool> advanceSides();
   Result<bool> advance(std::size_t side);
   Result<bool> draw(std::size_t side);
@@ -140,6 +141,7 @@ struct Viewer::State {
   BackgroundTask<std::string> saving = {};
   std::string saving_path = {};
   std::string saved_last = {};  ///< ViewerStatus'
+  double since_saved_s = 0.0;
   std::array<std::string, 2> problems_of_frames = {};
   std::string problem_of_picking = {};
 };

@@ -58,7 +58,7 @@ struct ViewerStatus {
   std::vector<ErrorText> errors = {};  ///< by how much the first differs from the second
   std::string saving = {};             ///< the picture file that is being made; empty: none is
   double saved = 0.0;                  ///< how much of it, 0 … 1
-  std::string saved_last = {};         ///< what was written last, or why it could not be; empty: nothing was yet
+  std::string saved_last = {};         ///< what was just written, or why it could not be; empty: nothing was
   std::string remark = {};             ///< what is doubtful about what is shown, one line; empty: nothing is
   std::string problem = {};            ///< why what was asked for is not shown, one line; empty: it is
 };

@@ -22,7 +22,9 @@
 #include "mirrorball/codec/exr/exr_testing.h"
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/ldr/avif_testing.h"
 #include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/ldr/jxl_testing.h"
 #include "mirrorball/codec/ldr/png.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/picture_testing.h"
@@ -233,6 +235,22 @@ void addWebps(Corpus& corpus) {
                  testing::webpOf(picture, quality));
     corpus.add("webp", "profile_" + std::to_string(channels),
                testing::extendedWebp(picture, channels == 4 ? 0x30 : 0x20, "ICCP", testing::iccProfile("Display P3")));
+  }
+}
+
+void addAvifsAndJxls(Corpus& corpus) {
+  for (const int channels : {3, 4}) {
+    const std::string kind = std::to_string(channels);
+    const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
+    corpus.add("avif", "bits8_" + kind, testing::avifOf(picture));
+    corpus.add("avif", "turned_" + kind, testing::avifOf(picture, testing::AvifForm{.quarters = 3, .mirrors = true}));
+    ImageOf<std::uint16_t> codes(9, 7, channels, 1000);
+    corpus.add("avif", "pq_" + kind, testing::avifOf(codes, testing::AvifForm{10, 9, 16}));
+    corpus.add("jxl", "bits8_" + kind, testing::jxlOf(picture));
+    corpus.add("jxl", "bits16_" + kind, testing::jxlOf(codes, testing::JxlForm{JXL_TRANSFER_FUNCTION_HLG}));
+    corpus.add("jxl", "lossy_" + kind, testing::jxlOf(picture, testing::JxlForm{.is_lossy = true}));
+    corpus.add("jxl", "floats_" + kind,
+               testing::jxlOf(gradient(9, 7, channels), testing::JxlForm{JXL_TRANSFER_FUNCTION_LINEAR}));
   }
 }
 
@@ -506,6 +524,7 @@ int main(int count, char** arguments) {
   mirrorball::addColoredPngs(corpus);
   mirrorball::addTiffs(corpus);
   mirrorball::addWebps(corpus);
+  mirrorball::addAvifsAndJxls(corpus);
   mirrorball::addPlainPictures(corpus);
   mirrorball::addModels(corpus);
   mirrorball::addDracoModels(corpus);

@@ -57,6 +57,8 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
   write("a.png", "\x89PNG\r\n\x1a\n and so on");
   write("a.tif", std::string("II\x2a\0", 4) + " and so on");
   write("a.webp", "RIFF1234WEBPVP8 and so on");
+  write("a.avif", std::string("\0\0\0\x10", 4) + "ftypavif and so on");
+  write("a.jxl", "\xff\x0a and so on");
   write("draco.gltf", gltf + R"("bufferViews":[{"buffer":0,"byteLength":4}],"meshes":[{"primitives":[{"attributes":)"
                              R"({"POSITION":0},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,)"
                              R"("attributes":{"POSITION":0}}}}]}],"accessors":[{"componentType":5126,"count":3,)"
@@ -73,6 +75,8 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
                           Case{"PNG", "info a.png", "a.png: this build reads no PNG"},
                           Case{"TIFF", "info a.tif", "a.tif: this build reads no TIFF"},
                           Case{"WebP", "info a.webp", "a.webp: this build reads no WebP"},
+                          Case{"AVIF", "info a.avif", "a.avif: this build reads no AVIF"},
+                          Case{"JPEG-XL", "info a.jxl", "a.jxl: this build reads no JPEG XL"},
                           Case{"OpenEXR", "convert white --size 8 -o b.exr", "b.exr: this build writes no OpenEXR"},
                           Case{"JPEG", "convert white --size 8 -o b.jpg", "b.jpg: this build writes no JPEG"},
                           Case{"PNG", "convert white --size 8 -o b.png", "b.png: this build writes no PNG"},
@@ -109,6 +113,8 @@ TEST_F(ProgramParts, HelpNamesTheFormatsThatAreThere) {
   EXPECT_THAT(help, HasSubstr(".hdr"));
   EXPECT_EQ(help.find(".tif") != std::string::npos, !isLeftOut("TIFF"));
   EXPECT_EQ(help.find(".webp") != std::string::npos, !isLeftOut("WebP"));
+  EXPECT_EQ(help.find(".avif") != std::string::npos, !isLeftOut("AVIF"));
+  EXPECT_EQ(help.find(".jxl") != std::string::npos, !isLeftOut("JPEG-XL"));
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ namespace {
 using Span = std::span<const std::uint8_t>;
 
 /// How each format is recognised by a file's first bytes, in the order of kImageFormats.
-constexpr std::array<bool (*)(Span), kImageFormats.size()> kBegins{isHdr,  isExr,  isPng, isJpeg, isKtx2, isKtx1, isDds,
-                                                                   isTiff, isWebp, isTga, isBmp,  isPnm,  isPfm};
+constexpr std::array<bool (*)(Span), kImageFormats.size()> kBegins{
+    isHdr, isExr, isPng, isJpeg, isKtx2, isKtx1, isDds, isTiff, isWebp, isAvif, isJxl, isTga, isBmp, isPnm, isPfm};
 
 /// The largest level of a texture of one face: its first picture, if it is an array.
 Result<DecodedImage> decodeTexturePicture(Span bytes) {

@@ -10,6 +10,16 @@ namespace mirrorball {
 
 using Span = std::span<const std::uint8_t>;
 
+namespace {
+
+bool hasLetters(Span bytes, std::size_t at, std::string_view letters) {
+  return bytes.size() >= at + letters.size() &&
+         std::equal(letters.begin(), letters.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](char letter, std::uint8_t byte) { return static_cast<std::uint8_t>(letter) == byte; });
+}
+
+}  // namespace
+
 bool isExr(Span bytes) {
   constexpr std::array<std::uint8_t, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
@@ -32,11 +42,21 @@ bool isTiff(Span bytes) {
   return (is_little || is_big) && (version == kClassic || version == kBigTiff);
 }
 
-bool isWebp(Span bytes) {
-  const auto has = [&](std::size_t at, std::string_view letters) {
-    return std::equal(letters.begin(), letters.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
-  };
-  return bytes.size() >= 12 && has(0, "RIFF") && has(8, "WEBP");
+bool isWebp(Span bytes) { return hasLetters(bytes, 0, "RIFF") && hasLetters(bytes, 8, "WEBP"); }
+
+bool isAvif(Span bytes) {
+  if (!hasLetters(bytes, 4, "ftyp")) return false;
+  const std::size_t size = std::min<std::size_t>(bigU32(bytes.data()), bytes.size());
+  constexpr std::size_t kMajor = 8;
+  constexpr std::size_t kVersion = 12;  // between the major kind and the others
+  for (std::size_t at = kMajor; at + 4 <= size; at += 4)
+    if (at != kVersion && (hasLetters(bytes, at, "avif") || hasLetters(bytes, at, "avis"))) return true;
+  return false;
+}
+
+bool isJxl(Span bytes) {
+  using namespace std::string_view_literals;
+  return hasLetters(bytes, 0, "\xff\x0a"sv) || hasLetters(bytes, 0, "\0\0\0\x0cJXL \r\n\x87\n"sv);
 }
 
 }  // namespace mirrorball

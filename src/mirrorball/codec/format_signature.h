@@ -23,4 +23,10 @@ bool isTiff(std::span<const std::uint8_t> bytes);
 /// Whether the bytes begin as a WebP does.
 bool isWebp(std::span<const std::uint8_t> bytes);
 
+/// Whether the bytes begin as an AVIF does: a box that names its kinds, one of which is "avif", or "avis" for animations.
+bool isAvif(std::span<const std::uint8_t> bytes);
+
+/// Whether the bytes begin as a JPEG XL does, alone or in boxes.
+bool isJxl(std::span<const std::uint8_t> bytes);
+
 }  // namespace mirrorball

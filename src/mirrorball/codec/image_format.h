@@ -21,7 +21,7 @@ enum class Holds {
 };
 
 /// The formats that are read, some of which are written; a format's number is its place in kImageFormats.
-enum class ImageFormatId { hdr, exr, png, jpeg, ktx2, ktx, dds, tiff, webp, tga, bmp, pnm, pfm };
+enum class ImageFormatId { hdr, exr, png, jpeg, ktx2, ktx, dds, tiff, webp, avif, jxl, tga, bmp, pnm, pfm };
 
 struct ImageFormat {
   ImageFormatId id;
@@ -35,7 +35,7 @@ struct ImageFormat {
 
 /// The one list of formats: every message, help text and page that names some is made from it, in its order, and names
 /// those that the build has (isInThisBuild).
-inline constexpr std::array<ImageFormat, 13> kImageFormats{{
+inline constexpr std::array<ImageFormat, 15> kImageFormats{{
     {ImageFormatId::hdr, "Radiance HDR", "hdr", Holds::light, true,
      "RGBE and XYZE; run-length coded, old and new, or flat; any orientation"},
     {ImageFormatId::exr, "OpenEXR", "exr", Holds::light, true,
@@ -55,6 +55,11 @@ inline constexpr std::array<ImageFormat, 13> kImageFormats{{
      "MIRRORBALL_TIFF"},
     {ImageFormatId::webp, "WebP", "webp", Holds::picture, false, "lossy and lossless, alpha; no animations",
      "MIRRORBALL_WEBP"},
+    {ImageFormatId::avif, "AVIF", "avif", Holds::picture, false,
+     "8, 10 and 12 bits, alpha; PQ and HLG, primaries; no animations", "MIRRORBALL_AVIF"},
+    {ImageFormatId::jxl, "JPEG XL", "jxl", Holds::either, false,
+     "integers of up to 16 bits and floats, lossy and lossless, alpha; PQ and HLG, primaries; no animations",
+     "MIRRORBALL_JXL"},
     {ImageFormatId::tga, "TGA", "tga", Holds::picture, false,
      "grey, palette, 15, 16, 24 and 32 bits; run-length coded or not"},
     {ImageFormatId::bmp, "BMP", "bmp", Holds::picture, false, "palettes, RLE4, RLE8, 16, 24 and 32 bits, masks, alpha"},

@@ -9,12 +9,13 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(ImageFormat, ListsAreMadeFromTheTable) {
-  EXPECT_EQ(readExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds .tif .webp .tga .bmp .pnm .pfm");
-  EXPECT_EQ(readExtensions(Holds::light), ".hdr .exr .tif .pfm");
-  EXPECT_EQ(readExtensions(Holds::picture), ".png .jpg .tif .webp .tga .bmp .pnm");
+  EXPECT_EQ(readExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds .tif .webp .avif .jxl .tga .bmp .pnm .pfm");
+  EXPECT_EQ(readExtensions(Holds::light), ".hdr .exr .tif .jxl .pfm");
+  EXPECT_EQ(readExtensions(Holds::picture), ".png .jpg .tif .webp .avif .jxl .tga .bmp .pnm");
   EXPECT_EQ(writtenExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds");
   EXPECT_EQ(writtenExtensions(Holds::texture, " or "), ".ktx2, .ktx or .dds");
-  EXPECT_EQ(readFormatNames(), "Radiance HDR, OpenEXR, PNG, JPEG, KTX2, KTX, DDS, TIFF, WebP, TGA, BMP, PNM or PFM");
+  EXPECT_EQ(readFormatNames(),
+            "Radiance HDR, OpenEXR, PNG, JPEG, KTX2, KTX, DDS, TIFF, WebP, AVIF, JPEG XL, TGA, BMP, PNM or PFM");
 }
 
 TEST(ImageFormat, TheExtensionTellsWhatIsWritten) {

@@ -44,10 +44,13 @@ SurfaceView seenSide(const PathVertex& vertex) {
   return {isInside(vertex), std::clamp(-glm::dot(vertex.arriving.direction, frameOnRaysSide(vertex).n), 0.0f, 1.0f)};
 }
 
-SurfaceShares sharesAt(const PathVertex& vertex) {
+SurfaceShares sharesAt(const PathVertex& vertex) { return sharesAt(vertex, frameOnRaysSide(vertex).n); }
+
+SurfaceShares sharesAt(const PathVertex& vertex, glm::vec3 n) {
   if (vertex.surface->unlit) return {};
   const formula::Material material = materialAgainstBeyond(vertex, 0.0f);
-  const auto [is_inside, cosine] = seenSide(vertex);
+  const bool is_inside = isInside(vertex);
+  const float cosine = std::clamp(-glm::dot(vertex.arriving.direction, n), 0.0f, 1.0f);
   const float transmits = material.transmission * (1.0f - material.metallic);
   // From within, matter scatters its share before the surface is met (trace/bsdf.cpp).
   SurfaceShares shares{.reflected = reflectanceAt(material, cosine, is_inside)};

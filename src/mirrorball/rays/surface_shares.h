@@ -41,6 +41,8 @@ struct SurfaceShares {
   bool is_total = false;  ///< all is reflected, of a surface that lets light through
 };
 SurfaceShares sharesAt(const PathVertex& vertex);
+/// The same by facets of the normal n, unit and on the ray's side.
+SurfaceShares sharesAt(const PathVertex& vertex, glm::vec3 n);
 
 /// Where the ray goes on that facets of the normal n reflect: not below the triangle.
 ///

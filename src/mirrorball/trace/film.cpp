@@ -21,19 +21,30 @@ double pathsIn(const PixelSums& sums) { return double(std::max(sums.paths, 1)); 
 glm::dvec4 meanOf(const PixelSums& sums) { return sums.light / pathsIn(sums); }
 
 /// Of the mean of a pixel's paths, as if they were independent.
-glm::dvec3 varianceOfMean(const PixelSums& sums) {
-  const glm::dvec3 mean(meanOf(sums));
-  const glm::dvec3 variance = glm::max(sums.squares / pathsIn(sums) - mean * mean, glm::dvec3(0.0));
+glm::dvec4 varianceOfMean(const PixelSums& sums) {
+  const glm::dvec4 mean = meanOf(sums);
+  const glm::dvec4 variance = glm::max(sums.squares / pathsIn(sums) - mean * mean, glm::dvec4(0.0));
   return variance / std::max(pathsIn(sums) - 1.0, 1.0);
 }
 
-/// A standard error as it is displayed, the mean of its channels: that of the radiance, on the slope of the tone curve.
-/// Where it is beyond what the curve can tell, that of white beside black.
-float displayedError(glm::dvec3 mean, glm::dvec3 variance, const Display& display) {
-  const glm::dvec3 error = glm::sqrt(variance);
-  const glm::vec3 change = displayed(glm::vec3(mean + error), display) - displayed(glm::vec3(mean - error), display);
+/// Half of what a display shows between two radiances, the mean of their channels. Where it is beyond what the tone curve
+/// can tell, that of white beside black.
+float displayedHalf(glm::dvec3 less, glm::dvec3 more, const Display& display) {
+  const glm::vec3 change = displayed(glm::vec3(more), display) - displayed(glm::vec3(less), display);
   const float shown = (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
   return std::isfinite(shown) ? shown : 1.0f;
+}
+
+/// A standard error as it is displayed: that of the radiance, on the slope of the tone curve, or that of what alpha leaves
+/// of a white page, as of a shadow that stands alone.
+float displayedError(glm::dvec4 mean, glm::dvec4 variance, const Display& display) {
+  const glm::dvec4 error = glm::sqrt(variance);
+  const glm::dvec3 light(mean);
+  const glm::dvec3 of_light(error);
+  const float shown = displayedHalf(light - of_light, light + of_light, display);
+  if (error.w == 0.0) return shown;
+  const double left = 1.0 - mean.w;
+  return std::max(shown, displayedHalf(glm::dvec3(left - error.w), glm::dvec3(left + error.w), display));
 }
 
 }  // namespace
@@ -43,8 +54,9 @@ int PathCounts::at(std::size_t pixel) const {
   return static_cast<int>(std::clamp(shares[pixel] * scale, float(least), float(most)));
 }
 
-Film::Film(glm::ivec2 size, int halves)
+Film::Film(glm::ivec2 size, int halves, const std::optional<glm::vec3>& page)
     : size_(size),
+      page_(page),
       halves_(std::size_t(halves), std::vector<PixelSums>(std::size_t(size.x) * std::size_t(size.y))),
       shows_(halves_.front().size()) {}
 
@@ -86,7 +98,7 @@ auto Film::meanOfHalves(std::size_t pixel, const Value& value) const {
   return sum;
 }
 
-glm::dvec3 Film::varianceAt(std::size_t pixel) const {
+glm::dvec4 Film::varianceAt(std::size_t pixel) const {
   const bool has_two = halves_.size() == 2 && halves_.back()[pixel].paths > 0;
   return meanOfHalves(pixel, varianceOfMean) / (has_two ? 2.0 : 1.0);
 }
@@ -96,7 +108,7 @@ float Film::noise(const Display& display) const {
   parallelFor(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
       for (std::size_t i = y * std::size_t(size_.x); i < (y + 1) * std::size_t(size_.x); ++i)
-        rows[y] += double(displayedError(glm::dvec3(meanOfHalves(i, meanOf)), varianceAt(i), display));
+        rows[y] += double(displayedError(meanOfHalves(i, meanOf), varianceAt(i), display));
   });
   const auto shown = std::count(shows_.begin(), shows_.end(), true);
   return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) /
@@ -108,7 +120,7 @@ std::vector<float> Film::errorsOf(int half, const Display& display) const {
   std::vector<float> errors(sums.size());
   parallelFor(errors.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      errors[i] = displayedError(glm::dvec3(meanOf(sums[i])), varianceOfMean(sums[i]), display);
+      errors[i] = displayedError(meanOf(sums[i]), varianceOfMean(sums[i]), display);
   });
   return errors;
 }
@@ -117,7 +129,7 @@ Image Film::radiance() const {
   return imageOf<4>([this](std::size_t i) {
     glm::vec4 mean(meanOfHalves(i, meanOf));
     mean.w = glm::clamp(mean.w, 0.0f, 1.0f);  // a path may find more light in a shadow than without it
-    return mean;
+    return page_ && shows_[i] ? glm::vec4(glm::vec3(mean) + (1.0f - mean.w) * *page_, 1.0f) : mean;
   });
 }
 

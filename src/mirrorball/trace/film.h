@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,7 +15,7 @@ namespace mirrorball {
 /// All that is known of a pixel's paths, or of one half of them.
 struct PixelSums {
   glm::dvec4 light{0.0};
-  glm::dvec3 squares{0.0};
+  glm::dvec4 squares{0.0};
   glm::vec3 albedo{0.0f};
   glm::vec3 normal{0.0f};
   int paths = 0;
@@ -51,7 +52,8 @@ class FilmPass {
 class Film {
  public:
   /// halves   1 or 2
-  Film(glm::ivec2 size, int halves);
+  /// page     radiance behind what does not cover it; nothing: the picture is transparent there
+  Film(glm::ivec2 size, int halves, const std::optional<glm::vec3>& page);
 
   glm::ivec2 size() const { return size_; }
   /// Takes a pass over a half that is whole.
@@ -84,9 +86,10 @@ class Film {
   Image imageOf(const Value& value) const;
   template <typename Value>
   auto meanOfHalves(std::size_t pixel, const Value& value) const;
-  glm::dvec3 varianceAt(std::size_t pixel) const;
+  glm::dvec4 varianceAt(std::size_t pixel) const;
 
   glm::ivec2 size_;
+  std::optional<glm::vec3> page_;
   std::vector<std::vector<PixelSums>> halves_;
   std::vector<bool> shows_;  // of each pixel, whether there is something to be seen, as not beside a disc
 };

@@ -60,7 +60,7 @@ class Path {
   void addEmittedToGround(Ray ray);
   glm::vec3 seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
-  glm::vec4 shadowAlone(glm::vec3 ground, glm::vec3 unshadowed) const;
+  static glm::vec4 shadowAlone(glm::vec3 ground, glm::vec3 unshadowed);
   glm::vec3 lightOfLamps(const PathVertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const PathVertex& vertex) const;
   bool survivesRoulette();
@@ -282,12 +282,10 @@ std::optional<float> Path::groundBefore(const Ray& ray, const std::optional<Hit>
   return distance && !(hit && hit->distance <= *distance) ? distance : std::nullopt;
 }
 
-/// What is laid over a page, or is left of it, in the place of the ground: as much less of it as of the ground's light.
-glm::vec4 Path::shadowAlone(glm::vec3 ground, glm::vec3 unshadowed) const {
+/// What is laid over a page in the place of the ground: it takes as much of it as of the ground's light.
+glm::vec4 Path::shadowAlone(glm::vec3 ground, glm::vec3 unshadowed) {
   const float lit = formula::luminance(unshadowed);
-  const float left = lit > 0.0f ? formula::luminance(ground) / lit : 1.0f;
-  return settings_.background ? glm::vec4(left * *settings_.background, 1.0f)
-                              : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f - left);
+  return {0.0f, 0.0f, 0.0f, lit > 0.0f ? 1.0f - formula::luminance(ground) / lit : 0.0f};
 }
 
 PathLight Path::follow(Ray ray) {

@@ -33,12 +33,12 @@ TEST(PathCounts, GrowWithSharesBetweenLeastAndMost) {
 
 // However many paths a half has, it counts as much as the other.
 TEST(Film, IsTheMeanOfItsHalves) {
-  Film film({1, 1}, 2);
+  Film film({1, 1}, 2, {});
   FilmPass pass({1, 1});
-  pass.at(0) = {.light = glm::dvec4(1.0), .squares = glm::dvec3(1.0), .paths = 1};
+  pass.at(0) = {.light = glm::dvec4(1.0), .squares = glm::dvec4(1.0), .paths = 1};
   film.addPass(pass, 0, {.least = 1});
   EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.0f) << "of the only half that has paths";
-  pass.at(0) = {.light = glm::dvec4(6.0), .squares = glm::dvec3(20.0), .paths = 3};
+  pass.at(0) = {.light = glm::dvec4(6.0), .squares = glm::dvec4(20.0), .paths = 3};
   film.addPass(pass, 1, {.least = 3});
   EXPECT_EQ(film.radiance().texel(0, 0)[0], 1.5f);
   EXPECT_EQ(film.paths(), 4u);

@@ -28,7 +28,7 @@ void addPath(PixelSums& sums, const PathLight& path) {
     return;
   }
   sums.light += glm::dvec4(light);
-  sums.squares += glm::dvec3(light) * glm::dvec3(light);
+  sums.squares += glm::dvec4(light) * glm::dvec4(light);
   sums.albedo += path.albedo;
   sums.normal += path.normal;
 }
@@ -149,7 +149,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
   const Surroundings surroundings(environment, lights, std::move(proxy), settings);
   const Emitters emitters(scene, world_from_normal, settings.environment_intensity * lights.meanLuminance(), settings);
-  Film film(settings.size, halves);
+  Film film(settings.size, halves, settings.shows_environment ? std::nullopt : settings.background);
   FilmPass pass(settings.size);
   const auto draw = [&](int half, const PathCounts& counts, std::uint64_t expected) {
     if (!drawPass(rays, surroundings, emitters, settings, {film, half, counts, expected}, pass, observer.progress))

@@ -217,11 +217,11 @@ HWY_NOINLINE Encoded encode(const Texels& texels, VU code, Lines lines) {
 }
 
 template <ColorMode kColorMode, int kSubsets>
-HWY_INLINE Lines fitted(const Texels& texels, const Encoded& encoded, VU code, Lines lines) {
+HWY_INLINE Lines fitted(const Texels& texels, const Encoded& encoded, Lines lines) {
   if constexpr (kColorMode == ColorMode::two_colors)
-    fitEnds<kSubsets>(texels, encoded.shares, code, lines);
+    fitEnds<kSubsets>(texels, encoded.shares, encoded.code, lines);
   else
-    fitOffsets<kSubsets>(texels, encoded.shares, code, lines);
+    fitOffsets<kSubsets>(texels, encoded.shares, encoded.code, lines);
   return lines;
 }
 
@@ -250,11 +250,7 @@ HWY_NOINLINE void tryPartitions(const Texels& texels, std::span<const VU> codes,
   for (const VU code : codes)
     keepBetter(encode<kColorMode, kSubsets, kFirst>(texels, code, linesOf<kColorMode, kSubsets>(texels, code)), first);
   keepBetter(first, best);
-  Lines lines = linesOf<kColorMode, kSubsets>(texels, first.code);
-  if constexpr (kColorMode == ColorMode::two_colors)
-    fitEnds<kSubsets>(texels, first.shares, first.code, lines);
-  else
-    fitOffsets<kSubsets>(texels, first.shares, first.code, lines);
+  const Lines lines = fitted<kColorMode, kSubsets>(texels, first, linesOf<kColorMode, kSubsets>(texels, first.code));
   keepBetter(encode<kColorMode, kSubsets, kFirst>(texels, first.code, lines), best);
   (keepBetter(encode<kColorMode, kSubsets, kOthers>(texels, first.code, lines), best), ...);
 }

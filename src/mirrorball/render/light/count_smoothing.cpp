@@ -46,7 +46,7 @@ void smoothByCount(Image& picture) {
   Image narrow = picture;
   Image smooth = picture;
   // How many rays each width has in it, of which the last with too few and the first with enough share a texel.
-  float variance = 0.5f;  // of the tent that rays were added by, in texels²
+  float variance = 1.0f / 6.0f;  // of the tent that rays were added by, in texels²
   for (int width = 0; width < kWidths; ++width) {
     const int step = 1 << width;
     const Image wide = blurredAlong(blurredAlong(narrow, {step, 0}), {0, step});

@@ -71,7 +71,8 @@ class GlassFollower {
  private:
   /// Goes on by one of the two ways, chosen by the light that they take.
   static std::optional<Ray> leave(const PathVertex& vertex, glm::vec3& share, SampleSequence& random) {
-    const SurfaceShares shares = sharesAt(vertex);
+    const glm::vec3 n = facetAt(vertex, frameOnRaysSide(vertex), random);
+    const SurfaceShares shares = sharesAt(vertex, n);
     // What sends none on refracted is solid, unless all is reflected.
     if (shares.refracted == glm::vec3(0.0f) && !shares.is_total) return std::nullopt;
     const float refracted = formula::luminance(shares.refracted);
@@ -79,9 +80,10 @@ class GlassFollower {
     const bool is_refracted = random.nextIndependent() * sum < refracted;
     share *=
         (is_refracted ? shares.refracted : shares.reflected) * (sum / (is_refracted ? refracted : sum - refracted));
-    const Frame frame = frameOnRaysSide(vertex);
-    const glm::vec3 n = facetAt(vertex, frame, random);
     const glm::vec3 direction = is_refracted ? refractedDirection(vertex, n) : reflectedDirection(vertex, n);
+    // A facet that lies at a steep angle may send it back into its own side, where other facets are in its way.
+    const bool goes_out = glm::dot(direction, vertex.hit.geometric_normal) >= 0.0f;
+    if (is_refracted && goes_out == vertex.is_outside) return std::nullopt;
     return leavingRay(vertex, direction);
   }
 

@@ -1,0 +1,3 @@
+#include "picture.h"
+
+MIRRORBALL_HARNESS(avif) { return mirrorball::fuzz::readPicture(data, size); }

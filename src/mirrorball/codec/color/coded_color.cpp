@@ -1,0 +1,158 @@
+#include "mirrorball/codec/color/coded_color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball {
+namespace {
+
+std::optional<Primaries> primariesOf(int number) {
+  switch (number) {
+    case 5:
+      return kRec601Of625Lines;
+    case 6:
+    case 7:
+      return kRec601Of525Lines;
+    case 9:
+      return kRec2020;
+    case 10:
+      return kCieXyz;
+    case 11:
+      return kDciP3;
+    case 12:
+      return kDisplayP3;
+    default:
+      return std::nullopt;
+  }
+}
+
+float lightOfSrgb(float code) { return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f); }
+
+float lightOfRec709(float code) {
+  return code < 0.081f ? code / 4.5f : std::pow((code + 0.099f) / 1.099f, 1.0f / 0.45f);
+}
+
+float lightOfPq(float code) {
+  constexpr float kM1 = 2610.0f / 16384.0f;
+  constexpr float kM2 = 2523.0f / 4096.0f * 128.0f;
+  constexpr float kC1 = 3424.0f / 4096.0f;
+  constexpr float kC2 = 2413.0f / 4096.0f * 32.0f;
+  constexpr float kC3 = 2392.0f / 4096.0f * 32.0f;
+  constexpr float kBrightest = 10000.0f;  // cd/m²
+  const float root = std::pow(std::clamp(code, 0.0f, 1.0f), 1.0f / kM2);
+  return kBrightest / kGraphicsWhite * std::pow(std::max(root - kC1, 0.0f) / (kC2 - kC3 * root), 1.0f / kM1);
+}
+
+/// The light of the scene, up to 1.
+float sceneOfHlg(float code) {
+  constexpr float kA = 0.17883277f;
+  constexpr float kB = 1.0f - 4.0f * kA;
+  const float c = 0.5f - kA * std::log(4.0f * kA);
+  code = std::max(code, 0.0f);
+  return code <= 0.5f ? code * code / 3.0f : (std::exp((code - c) / kA) + kB) / 12.0f;
+}
+
+/// The light of a display, from that of the scene.
+glm::vec3 displayOfHlg(glm::vec3 scene) {
+  constexpr float kBrightest = 1000.0f;  // cd/m²
+  constexpr float kSystemGamma = 1.2f;   // of such a display
+  const float luminance = glm::dot(scene, glm::vec3(0.2627f, 0.6780f, 0.0593f));
+  return kBrightest / kGraphicsWhite * std::pow(luminance, kSystemGamma - 1.0f) * scene;
+}
+
+float lightOf(float code, const CodedColor& color) {
+  switch (color.transfer) {
+    case Transfer::srgb:
+      return lightOfSrgb(code);
+    case Transfer::rec709:
+      return lightOfRec709(code);
+    case Transfer::gamma:
+      return std::pow(std::max(code, 0.0f), float(color.gamma));
+    case Transfer::pq:
+      return lightOfPq(code);
+    case Transfer::hlg:
+      return sceneOfHlg(code);
+    case Transfer::linear:
+      break;
+  }
+  return code;
+}
+
+}  // namespace
+
+CodedColor codedColor(int primaries, int transfer) {
+  CodedColor color{.primaries = primariesOf(primaries)};
+  switch (transfer) {
+    case 1:
+    case 6:
+    case 14:
+    case 15:
+      color.transfer = Transfer::rec709;
+      break;
+    case 4:
+      color = {Transfer::gamma, 2.2, color.primaries};
+      break;
+    case 5:
+      color = {Transfer::gamma, 2.8, color.primaries};
+      break;
+    case 8:
+      color.transfer = Transfer::linear;
+      break;
+    case 16:
+      color.transfer = Transfer::pq;
+      break;
+    case 18:
+      color.transfer = Transfer::hlg;
+      break;
+    default:
+      break;
+  }
+  return color;
+}
+
+void decodeColor(Image& codes, const CodedColor& color) {
+  constexpr std::size_t kTexelsPerPiece = 1 << 14;
+  const auto stride = static_cast<std::size_t>(codes.channels());
+  const std::size_t colors = std::min<std::size_t>(stride, 3);
+  parallelFor(codes.texelCount(), kTexelsPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      float* texel = codes.samples().data() + i * stride;
+      for (std::size_t c = 0; c < colors; ++c) texel[c] = lightOf(texel[c], color);
+      if (color.transfer != Transfer::hlg) continue;
+      const glm::vec3 scene(texel[0], texel[colors > 1 ? 1 : 0], texel[colors - 1]);
+      const glm::vec3 shown = displayOfHlg(scene);
+      for (std::size_t c = 0; c < colors; ++c) texel[c] = shown[static_cast<int>(c)];
+    }
+  });
+  convertToRec709(codes, color.primaries);
+}
+
+std::string describeColor(const CodedColor& color, int channels) {
+  const auto named = [&](std::string_view name) {
+    constexpr std::string_view kLinear = "linear";
+    return std::string(name) + describeColor(kLinearLight, color.primaries, channels).substr(kLinear.size());
+  };
+  switch (color.transfer) {
+    case Transfer::rec709:
+      return named("Rec.709's curve");
+    case Transfer::pq:
+      return named("PQ");
+    case Transfer::hlg:
+      return named("HLG");
+    case Transfer::linear:
+      return describeColor(kLinearLight, color.primaries, channels);
+    case Transfer::gamma:
+      return describeColor(TransferCurve{color.gamma}, color.primaries, channels);
+    case Transfer::srgb:
+      break;
+  }
+  return describeColor(kSrgbCurve, color.primaries, channels);
+}
+
+}  // namespace mirrorball

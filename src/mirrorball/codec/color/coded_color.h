@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// How codes of pictures and videos stand for light.
+enum class Transfer { srgb, rec709, linear, gamma, pq, hlg };
+
+/// What a file says of its codes.
+struct CodedColor {
+  Transfer transfer = Transfer::srgb;
+  double gamma = 1.0;                       ///< of Transfer::gamma: light is the code to this power
+  std::optional<Primaries> primaries = {};  ///< nothing: Rec.709's
+};
+
+/// The radiance of white, by which PQ and HLG, which state absolute light, become relative [cd/m²].
+///
+/// source   ITU-R BT.2408-7 (2023), 2.2: graphics white
+inline constexpr float kGraphicsWhite = 203.0f;
+
+/// By the numbers of ITU-T H.273 (2021), tables 2 and 3, as AVIF, HEIF and PNG's cICP have them. Numbers that say
+/// nothing, or that are not known, mean sRGB.
+CodedColor codedColor(int primaries, int transfer);
+
+/// Turns codes from 0 to 1 into linear light of Rec.709's primaries; a fourth channel is alpha and stays. PQ's light is
+/// in kGraphicsWhite, up to 49; HLG's as on a display of 1000 cd/m², up to 4.9.
+///
+/// source   PQ: SMPTE ST 2084 (2014), equation 4.1; HLG: ITU-R BT.2100-2 (2018), table 5; Rec.709: ITU-R BT.709-6,
+///          item 1.2
+void decodeColor(Image& codes, const CodedColor& color);
+
+/// What `info` says of it.
+std::string describeColor(const CodedColor& color, int channels);
+
+}  // namespace mirrorball

@@ -1,0 +1,127 @@
+#include "mirrorball/codec/ldr/avif.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <avif/avif.h>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/color/coded_color.h"
+#include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/image/upright.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+using AvifDecoder = std::unique_ptr<avifDecoder, decltype(&avifDecoderDestroy)>;
+
+tl::unexpected<Error> avifFailure(avifResult result, std::size_t size) {
+  switch (result) {
+    case AVIF_RESULT_OUT_OF_MEMORY:
+      return fail(ErrorCode::too_large, "not enough memory to decode it");
+    case AVIF_RESULT_TRUNCATED_DATA:
+      return fail(ErrorCode::bad_file,
+                  "ends at byte " + std::to_string(size) + ", before its last texel; the file is truncated or damaged");
+    case AVIF_RESULT_NO_CODEC_AVAILABLE:
+      return fail(ErrorCode::unsupported, "is an AVIF, and libavif here has nothing that decodes AV1");
+    default:
+      return fail(ErrorCode::bad_file, "is a damaged AVIF: " + std::string(avifResultToString(result)));
+  }
+}
+
+/// A decoder that has read what the file says of its picture.
+Result<AvifDecoder> parsedAvif(Span bytes) {
+  AvifDecoder decoder(avifDecoderCreate(), avifDecoderDestroy);
+  if (!decoder) return fail(ErrorCode::too_large, "not enough memory to decode it");
+  decoder->maxThreads = threadLimit();
+  decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
+  decoder->strictFlags = AVIF_STRICT_DISABLED;  // writers leave out what decoding does not need
+  avifResult result = avifDecoderSetIOMemory(decoder.get(), bytes.data(), bytes.size());
+  if (result == AVIF_RESULT_OK) result = avifDecoderParse(decoder.get());
+  if (result != AVIF_RESULT_OK) return avifFailure(result, bytes.size());
+  if (decoder->imageCount > 1)
+    return fail(ErrorCode::unsupported, "is an animated AVIF; save one of its pictures by itself");
+  const avifImage& image = *decoder->image;
+  MIRRORBALL_TRY_VOID(checkDimensions(image.width, image.height));
+  // libavif's own picture, and ours.
+  const int sample_bytes = image.depth > 8 ? 4 : 2;
+  MIRRORBALL_TRY_VOID(checkPictureMemory(int(image.width), int(image.height), 4, sample_bytes));
+  return decoder;
+}
+
+/// HEIF turns a picture first, against the clock, and then mirrors it (ISO/IEC 23008-12:2017, 6.5.10 and 6.5.12).
+template <typename Sample>
+ImageOf<Sample> uprightAvif(ImageOf<Sample> stored, const avifImage& image) {
+  constexpr int kOfQuarters[]{1, 8, 3, 6};  // as cameras number them
+  if ((image.transformFlags & AVIF_TRANSFORM_IROT) != 0)
+    stored = upright(std::move(stored), kOfQuarters[image.irot.angle & 3]);
+  if ((image.transformFlags & AVIF_TRANSFORM_IMIR) != 0)
+    stored = upright(std::move(stored), image.imir.mode == 0 ? 4 : 2);
+  return stored;
+}
+
+template <typename Sample>
+Result<ImageOf<Sample>> codesOfAvif(const avifImage& image, int channels, std::size_t size) {
+  ImageOf<Sample> codes = ImageOf<Sample>::withoutValues(int(image.width), int(image.height), channels);
+  avifRGBImage rgb;
+  avifRGBImageSetDefaults(&rgb, &image);
+  rgb.depth = 8 * sizeof(Sample);
+  rgb.format = channels == 4 ? AVIF_RGB_FORMAT_RGBA : AVIF_RGB_FORMAT_RGB;
+  rgb.pixels = reinterpret_cast<std::uint8_t*>(codes.samples().data());
+  rgb.rowBytes = static_cast<std::uint32_t>(std::size_t(image.width) * std::size_t(channels) * sizeof(Sample));
+  const avifResult result = avifImageYUVToRGB(&image, &rgb);
+  if (result != AVIF_RESULT_OK) return avifFailure(result, size);
+  return uprightAvif(std::move(codes), image);
+}
+
+/// The picture of a decoder that has parsed the file. Alpha that is all opaque is there, too.
+Result<CodedPicture> pictureOf(avifDecoder& decoder, int max_depth, std::size_t size) {
+  const avifResult result = avifDecoderNextImage(&decoder);
+  if (result != AVIF_RESULT_OK) return avifFailure(result, size);
+  const avifImage& image = *decoder.image;
+  const int channels = image.alphaPlane != nullptr ? 4 : 3;
+  if (image.depth <= 8 || max_depth <= 8) {
+    MIRRORBALL_TRY(codes, codesOfAvif<std::uint8_t>(image, channels, size));
+    return CodedPicture(std::move(codes));
+  }
+  MIRRORBALL_TRY(codes, codesOfAvif<std::uint16_t>(image, channels, size));
+  return CodedPicture(std::move(codes));
+}
+
+}  // namespace
+
+Result<DecodedImage> decodeAvif(Span bytes) {
+  MIRRORBALL_TRY(decoder, parsedAvif(bytes));
+  MIRRORBALL_TRY(picture, pictureOf(*decoder, 16, bytes.size()));
+  const avifImage& image = *decoder->image;
+  std::string format = "AVIF, " + std::to_string(image.depth) + " bits";
+  if (image.icc.size > 0)
+    return DecodedImage{
+        lightOf(picture), {}, std::move(format), describeIccColor(iccDescription({image.icc.data, image.icc.size}))};
+  const CodedColor color = codedColor(image.colorPrimaries, image.transferCharacteristics);
+  Image light = sharesOf(picture);
+  decodeColor(light, color);
+  const int channels = light.channels();
+  return DecodedImage{std::move(light), {}, std::move(format), describeColor(color, channels)};
+}
+
+Result<Image8> decodeAvifTexture(Span bytes) {
+  MIRRORBALL_TRY(decoder, parsedAvif(bytes));
+  MIRRORBALL_TRY(picture, pictureOf(*decoder, 8, bytes.size()));
+  return textureOf(std::move(picture));
+}
+
+Result<CodedPicture> decodeAvifCodes(Span bytes) {
+  MIRRORBALL_TRY(decoder, parsedAvif(bytes));
+  return pictureOf(*decoder, 16, bytes.size());
+}
+
+FormatCodec avifCodec() {
+  return {.decode = withoutProgress<decodeAvif>, .decode_texture = decodeAvifTexture, .decode_codes = decodeAvifCodes};
+}
+
+}  // namespace mirrorball

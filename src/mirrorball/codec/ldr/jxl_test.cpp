@@ -1,0 +1,90 @@
+#include "mirrorball/codec/ldr/jxl.h"
+
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/damage_testing.h"
+#include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/ldr/jxl_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::JxlForm;
+using testing::jxlOf;
+
+Image8 jxlPicture(int channels) { return pictureFromLinear(testing::gradient(13, 11, channels), channels); }
+
+TEST(Jxl, IntegersComeBack) {
+  for (const int channels : {3, 4}) {
+    const Image8 source = jxlPicture(channels);
+    const Bytes bytes = jxlOf(source);
+    EXPECT_TRUE(isJxl(bytes));
+    const auto image = decodeJxl(bytes);
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->format, "JPEG XL, 8 bits");
+    EXPECT_EQ(image->color, "sRGB");
+    const Image light = linearFromPicture(source);
+    ASSERT_EQ(image->image.channels(), channels);
+    for (std::size_t i = 0; i < light.samples().size(); ++i)
+      ASSERT_NEAR(image->image.samples()[i], light.samples()[i], 1e-5f) << i;
+    const auto texture = decodeJxlTexture(bytes);
+    ASSERT_TRUE(texture);
+    EXPECT_EQ(texture->texel(5, 6)[1], source.texel(5, 6)[1]);
+    EXPECT_TRUE(jxlCodec().holds_integers(bytes));
+  }
+}
+
+TEST(Jxl, SixteenBitsComeBackAsTheyAre) {
+  ImageOf<std::uint16_t> source(9, 7, 3, 0);
+  for (std::size_t i = 0; i < source.samples().size(); ++i) source.samples()[i] = static_cast<std::uint16_t>(i * 331);
+  const auto codes = decodeJxlCodes(jxlOf(source));
+  ASSERT_TRUE(codes) << codes.error().message;
+  EXPECT_THAT(std::get<ImageOf<std::uint16_t>>(*codes).samples(), ::testing::ElementsAreArray(source.samples()));
+}
+
+// A sun of 1e5 beside black.
+TEST(Jxl, FloatsAreLight) {
+  Image source(8, 4, 3, 0.0f);
+  source.texel(3, 2)[0] = 1e5f;
+  source.texel(3, 2)[1] = 0.25f;
+  const Bytes bytes = jxlOf(source, JxlForm{.transfer = JXL_TRANSFER_FUNCTION_LINEAR});
+  const auto image = decodeJxl(bytes);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->format, "JPEG XL, 32-bit floats");
+  EXPECT_EQ(image->color, "linear, Rec.709");
+  EXPECT_EQ(image->image.texel(3, 2)[0], 1e5f);
+  EXPECT_EQ(image->image.texel(3, 2)[1], 0.25f);
+  EXPECT_EQ(image->image.texel(2, 2)[0], 0.0f);
+  EXPECT_FALSE(jxlCodec().holds_integers(bytes));
+}
+
+TEST(Jxl, PqIsLightWithAndWithoutLoss) {
+  ImageOf<std::uint16_t> white(32, 32, 3, static_cast<std::uint16_t>(0.58f * 65535.0f));
+  for (const bool is_lossy : {false, true}) {
+    const auto image = decodeJxl(jxlOf(
+        white, JxlForm{.transfer = JXL_TRANSFER_FUNCTION_PQ, .primaries = JXL_PRIMARIES_2100, .is_lossy = is_lossy}));
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->color, "PQ, primaries of the file (Rec.2020): converted");
+    EXPECT_NEAR(image->image.texel(16, 16)[1], 1.0f, is_lossy ? 0.05f : 0.01f);
+  }
+}
+
+TEST(Jxl, IsUpright) {
+  const Image8 source = jxlPicture(3);
+  const auto turned = decodeJxlTexture(jxlOf(source, JxlForm{.orientation = 8}));
+  ASSERT_TRUE(turned) << turned.error().message;
+  ASSERT_EQ(turned->width(), source.height());
+  EXPECT_EQ(turned->texel(2, 0)[0], source.texel(source.width() - 1, 2)[0]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Jxl, Damage,
+                         ::testing::Values(testing::DamagedFile{"jxl", [] { return jxlOf(jxlPicture(4)); }}),
+                         testing::nameOfDamaged);
+
+}  // namespace
+}  // namespace mirrorball

@@ -23,7 +23,8 @@ bool isTiff(std::span<const std::uint8_t> bytes);
 /// Whether the bytes begin as a WebP does.
 bool isWebp(std::span<const std::uint8_t> bytes);
 
-/// Whether the bytes begin as an AVIF does: a box that names its kinds, one of which is "avif", or "avis" for animations.
+/// Whether the bytes begin as an AVIF does: a box that names its kinds, one of which is "avif", or "avis" for
+/// animations.
 bool isAvif(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as a JPEG XL does, alone or in boxes.

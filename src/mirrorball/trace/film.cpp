@@ -27,16 +27,16 @@ glm::dvec4 varianceOfMean(const PixelSums& sums) {
   return variance / std::max(pathsIn(sums) - 1.0, 1.0);
 }
 
-/// Half of what a display shows between two radiances, the mean of their channels. Where it is beyond what the tone curve
-/// can tell, that of white beside black.
+/// Half of what a display shows between two radiances, the mean of their channels. Where it is beyond what the tone
+/// curve can tell, that of white beside black.
 float displayedHalf(glm::dvec3 less, glm::dvec3 more, const Display& display) {
   const glm::vec3 change = displayed(glm::vec3(more), display) - displayed(glm::vec3(less), display);
   const float shown = (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
   return std::isfinite(shown) ? shown : 1.0f;
 }
 
-/// A standard error as it is displayed: that of the radiance, on the slope of the tone curve, or that of what alpha leaves
-/// of a white page, as of a shadow that stands alone.
+/// A standard error as it is displayed: that of the radiance, on the slope of the tone curve, or that of what alpha
+/// leaves of a white page, as of a shadow that stands alone.
 float displayedError(glm::dvec4 mean, glm::dvec4 variance, const Display& display) {
   const glm::dvec4 error = glm::sqrt(variance);
   const glm::dvec3 light(mean);

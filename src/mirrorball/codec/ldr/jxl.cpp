@@ -36,7 +36,8 @@ JxlParallelRetCode runInParallel(void*, void* work, JxlParallelRunInit begin_wor
   return 0;
 }
 
-/// Asks for the colour of the samples that are decoded. Versions of libjxl before 0.8 take a format that they do not use.
+/// Asks for the colour of the samples that are decoded. Versions of libjxl before 0.8 take a format that they do not
+/// use.
 template <typename Ask, typename... Answer>
 bool askOfSamples(Ask ask, const JxlDecoder* decoder, Answer... answer) {
   if constexpr (std::is_invocable_v<Ask, const JxlDecoder*, JxlColorProfileTarget, Answer...>)

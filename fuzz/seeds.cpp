@@ -23,9 +23,11 @@
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/avif_testing.h"
+#include "mirrorball/codec/ldr/gain_map_metadata.h"
 #include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/codec/ldr/jxl_testing.h"
 #include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/ldr/ultra_hdr.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
@@ -179,6 +181,12 @@ void addImages(Corpus& corpus) {
   corpus.add("jpeg", "profile",
              testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}),
                                       testing::iccProfile4(u"Display P3")));
+  const GainMap numbers{.max_log2 = glm::vec3(4.0f)};
+  const Bytes small = *encodeJpeg(Image8(8, 8, 1, 128), {});
+  corpus.add("jpeg", "gain_map", joinedUltraHdr(small, small, numbers));
+  corpus.add("gain_map", "file", joinedUltraHdr(small, small, numbers));
+  corpus.add("gain_map", "xmp", bytesOf(gainMapXmp(numbers)));
+  corpus.add("gain_map", "iso", gainMapIso(numbers));
   for (const int channels : {1, 3, 4}) {
     const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
     corpus.add("png", std::to_string(channels) + "_channels", *encodePng(picture, {{"envmap", "cube"}}));

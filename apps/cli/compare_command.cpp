@@ -125,8 +125,9 @@ struct ComparedSide {
 
 Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  const ImageKind kind = holdsCodes(bytes) ? ImageKind::picture : ImageKind::light;
   MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, progressBar("reading " + shown(path)))));
+  const bool is_picture = holdsCodes(bytes) && decoded.gain_map != GainMapUse::applied;
+  const ImageKind kind = is_picture ? ImageKind::picture : ImageKind::light;
   if (const NonFinite bad = findNonFinite(decoded.image); repair && bad.count > 0) {
     MIRRORBALL_TRY_VOID(withName(path, repairNonFinite(decoded.image)));
     remark(path + ": " + textOf(bad) + "; compared as the mean of their neighbours");

@@ -91,6 +91,7 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
 const auto kConvertDisplay = std::to_array<Option<MapFileOptions>>({
     {exposureText(), numberField<&MapFileOptions::display, &Display::exposure_ev>},
     {toneMapText(), choiceField<&MapFileOptions::display, &Display::tone_map>},
+    {gainMapText(), &MapFileOptions::gain_map},
 });
 
 Resampling resamplingOf(const ConvertOptions& options) {

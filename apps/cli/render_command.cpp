@@ -36,6 +36,7 @@ namespace {
 /// The files of `render` beside those of its scene (scene_inputs.h).
 struct RenderFiles {
   std::string output = "mirrorball.png";
+  bool gain_map = false;
 };
 
 const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds::picture) + " (tone mapped) or " +
@@ -51,6 +52,7 @@ const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
       .takes_path = true,
       .is_daily = true},
      &RenderFiles::output},
+    {gainMapText(), &RenderFiles::gain_map},
 });
 
 /// All that `render` was told.
@@ -109,6 +111,11 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
                                       request.scene.stance.animation.name + "@0");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
+  if (request.files.gain_map) MIRRORBALL_TRY_VOID(checkHoldsGainMap(output));
+  if (request.files.gain_map && request.given.contains("resolve") && settings.resolve == Resolve::display)
+    return fail(ErrorCode::usage,
+                "--gain-map holds radiance, and --resolve display averages what a display shows of "
+                "it; leave one of them out");
   GivenOptions given = request.given;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
@@ -130,9 +137,10 @@ void setTheStage(RenderRequest& request) {
 
 /// Draws what is asked for: one picture, or one after the other.
 Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderRequest& request,
-                       const std::vector<std::string>& outputs, StageClock& clock) {
+                       const PictureFiles& outputs, StageClock& clock) {
   const Turntable& turntable = request.turntable;
-  if (turntable.frames == 0) return renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
+  if (turntable.frames == 0)
+    return renderFrame(renderer, settings, outputs.paths.front(), outputs.gain_map, clock, progressBar("samples"));
   if (playsAnimation(request))
     return renderAnimation(renderer, settings, {request.scene, request.materials, turntable, turns(request)}, outputs,
                            clock);
@@ -150,23 +158,24 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (request.reference.is_wanted)
     return renderReference(request.scene, request.materials, settings, request.reference, request.given,
-                           request.files.output);
-  if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
-  std::vector<std::string> outputs{request.files.output};
+                           request.files.output, request.files.gain_map);
+  if (storesLinearLight(request.files.output) || request.files.gain_map) settings.resolve = Resolve::radiance;
+  PictureFiles outputs{{request.files.output}, request.files.gain_map};
   if (request.turntable.frames > 0) {
     MIRRORBALL_TRY(numbered, numberedPaths(request.files.output, request.turntable.frames));
-    outputs = std::move(numbered);
+    outputs.paths = std::move(numbered);
   }
   if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs, clock));
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs.paths, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkShown(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
   remarkOnIdleOptions(renderer.scene(), settings, request.given);
   const Result<void> drawn = renderAll(renderer, settings, request, outputs, clock);
   if (request.scene.timings) clock.print();
-  if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());
+  if (drawn)
+    announce(outputs.paths.size() == 1 ? outputs.paths.front() : outputs.paths.front() + " … " + outputs.paths.back());
   return drawn;
 }
 

@@ -11,6 +11,7 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/render/frame/animation_frames.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/study/traced_frame.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -18,14 +19,15 @@ namespace {
 /// Draws pictures one after the other.
 ///
 /// prepare   makes the renderer ready for a picture, and returns its settings
-Result<void> renderEach(Renderer& renderer, const char* what, const std::vector<std::string>& paths, StageClock& clock,
+Result<void> renderEach(Renderer& renderer, const char* what, const PictureFiles& files, StageClock& clock,
                         const std::function<Result<FrameSettings>(std::size_t frame)>& prepare) {
   const ProgressFunction progress = progressBar(what, "pictures");
   const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
-  const std::size_t frames = paths.size();
+  const std::size_t frames = files.paths.size();
   for (std::size_t frame = 0; frame < frames; ++frame) {
     MIRRORBALL_TRY(settings, prepare(frame));
-    const Result<void> drawn = renderFrame(renderer, settings, paths[frame], clock, untilInterrupted);
+    const Result<void> drawn =
+        renderFrame(renderer, settings, files.paths[frame], files.gain_map, clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
     whenInterrupted(interruptedAfter(whole, frames));
@@ -40,8 +42,23 @@ float angleOf(std::size_t frame, std::size_t frames) {
 
 }  // namespace
 
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame, bool gain_map) {
+  const glm::vec4 backdrop = backdropOf(frame);
+  const Image light = gain_map ? lightOnDisplay(frame.display, radiance, backdrop) : Image();
+  const Image8 picture = displayedPicture(frame.display, std::move(radiance), backdrop);
+  return gain_map ? savePictureWithGainMap(output, picture, light) : savePicture(output, picture);
+}
+
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output, bool gain_map,
                          StageClock& clock, const ProgressFunction& progress) {
+  if (gain_map) {
+    FrameSettings without_backdrop = settings;
+    if (settings.background == BackgroundKind::display_color) without_backdrop.background = BackgroundKind::transparent;
+    MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(without_backdrop, progress); }));
+    MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
+    return clock.time("picture: encode and write",
+                      [&] { return writeShown(output, std::move(radiance), settings, gain_map); });
+  }
   MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
   if (storesLinearLight(output)) {
     MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
@@ -54,12 +71,12 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
 FramingOf framingOf(Turn turn) { return turn == Turn::environment ? FramingOf::still : FramingOf::whole_turn; }
 
 Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
-                             const std::vector<std::string>& paths, StageClock& clock) {
+                             const PictureFiles& files, StageClock& clock) {
   const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
   const BoundingSphere still_bounds = renderer.bounds();
   const glm::vec3 axis = settings.camera.target.value_or(still_bounds.center);
-  return renderEach(renderer, "turntable", paths, clock, [&](std::size_t frame) -> Result<FrameSettings> {
-    const float angle_deg = angleOf(frame, paths.size());
+  return renderEach(renderer, "turntable", files, clock, [&](std::size_t frame) -> Result<FrameSettings> {
+    const float angle_deg = angleOf(frame, files.paths.size());
     const FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
     if (turntable.turn != Turn::object) return of_frame;
     MIRRORBALL_TRY_VOID(renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg)));
@@ -68,19 +85,19 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
 }
 
 Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, const AnimationRequest& request,
-                             const std::vector<std::string>& paths, StageClock& clock) {
+                             const PictureFiles& files, StageClock& clock) {
   // The renderer's scene is a moment, of which there are no others.
   MIRRORBALL_TRY(rest, loadModel(request.scene.model, {.inside_only = request.scene.inside_only}));
-  auto made = AnimationFrames::make(std::move(rest), request.scene.stance, settings, paths.size(),
+  auto made = AnimationFrames::make(std::move(rest), request.scene.stance, settings, files.paths.size(),
                                     request.turns ? framingOf(request.turntable.turn) : FramingOf::still);
   MIRRORBALL_TRY(frames, withName(request.scene.model, std::move(made)));
-  return renderEach(renderer, "animation", paths, clock, [&](std::size_t frame) -> Result<FrameSettings> {
+  return renderEach(renderer, "animation", files, clock, [&](std::size_t frame) -> Result<FrameSettings> {
     MIRRORBALL_TRY(pose, withName(request.scene.model, frames.pose(frame)));
     MIRRORBALL_TRY(scene, preparedPose(std::move(pose), request.materials, settings, clock));
     MIRRORBALL_TRY_VOID(clock.time("GL: upload, compile", [&] { return renderer.setScene(std::move(scene)); }));
-    const FrameSettings of_frame = request.turns
-                                       ? turned(frames.settings(), request.turntable.turn, angleOf(frame, paths.size()))
-                                       : frames.settings();
+    const FrameSettings of_frame =
+        request.turns ? turned(frames.settings(), request.turntable.turn, angleOf(frame, files.paths.size()))
+                      : frames.settings();
     return frames.standingStill(of_frame, renderer.bounds());
   });
 }

@@ -11,10 +11,24 @@
 
 namespace mirrorball::cli {
 
+/// Where pictures go.
+struct PictureFiles {
+  std::vector<std::string> paths;
+  bool gain_map = false;  ///< with a gain map beside each: savePictureWithGainMap
+};
+
+/// Writes the picture that a display shows of radiance.
+///
+/// radiance  4 channels, alpha premultiplied, without the colour of the display that lies behind it
+/// gain_map  beside the picture
+/// errors    as savePicture's
+Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame, bool gain_map);
+
 /// Draws one picture and writes it.
 ///
-/// errors   as Renderer::draw's and writeImage's
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+/// gain_map  beside the picture; the settings resolve radiance then
+/// errors    as Renderer::draw's and writeImage's
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output, bool gain_map,
                          StageClock& clock, const ProgressFunction& progress);
 
 /// What a camera is to hold in a turntable. With a turning environment the model stands still before it.
@@ -23,10 +37,9 @@ FramingOf framingOf(Turn turn);
 /// Draws the pictures of a full turn.
 ///
 /// settings   with a framed camera
-/// paths      of the pictures
 /// errors     as renderFrame's; interrupted
 Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
-                             const std::vector<std::string>& paths, StageClock& clock);
+                             const PictureFiles& files, StageClock& clock);
 
 /// What is asked for of an animation over its length.
 struct AnimationRequest {
@@ -41,6 +54,6 @@ struct AnimationRequest {
 ///
 /// errors   usage; as loadModel's, posed's and renderFrame's; interrupted
 Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, const AnimationRequest& request,
-                             const std::vector<std::string>& paths, StageClock& clock);
+                             const PictureFiles& files, StageClock& clock);
 
 }  // namespace mirrorball::cli

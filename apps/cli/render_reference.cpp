@@ -10,6 +10,7 @@
 
 #include "cli/formatted.h"
 #include "cli/interruption.h"
+#include "cli/render_frames.h"
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
@@ -46,13 +47,14 @@ std::vector<ImageLayer> layersOf(TracedPicture& picture) {
   return layers;
 }
 
-Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output) {
+Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output,
+                          bool gain_map) {
   Image& image = picture.radiance;
   if (storesLinearLight(output)) {
     if (frame.background == BackgroundKind::display_color) layOver(image, backdropOf(frame));
     return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture)});
   }
-  return savePicture(output, displayedPicture(frame.display, std::move(image), backdropOf(frame)));
+  return writeShown(output, std::move(image), frame, gain_map);
 }
 
 /// "64 paths a pixel, standard error at most 0.0031 of white"
@@ -146,7 +148,8 @@ Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture,
 }
 
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
-                             const ReferenceOptions& options, const GivenOptions& given, const std::string& output) {
+                             const ReferenceOptions& options, const GivenOptions& given, const std::string& output,
+                             bool gain_map) {
   if (options.trace.wants_layers && extensionOf(output) != "exr")
     return fail(ErrorCode::usage, "--layers: only OpenEXR files have layers; write an .exr");
   StageClock clock;
@@ -158,7 +161,8 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
   MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {
     return tracer.render(camera, traceSettings(options, frame, given), observerUntilInterrupted(first_pass));
   }));
-  MIRRORBALL_TRY_VOID(clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output); }));
+  MIRRORBALL_TRY_VOID(
+      clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output, gain_map); }));
   announce(output);
   if (scene.timings) clock.print();
   return tellTraced(picture, output);

@@ -38,8 +38,10 @@ Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture,
 
 /// Path-traces a picture, and writes it. Ctrl-C writes what there is.
 ///
+/// gain_map  beside a picture that is no light: savePictureWithGainMap
 /// errors   as loadInputs', PathTracer's and writeImage's
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
-                             const ReferenceOptions& options, const GivenOptions& given, const std::string& output);
+                             const ReferenceOptions& options, const GivenOptions& given, const std::string& output,
+                             bool gain_map);
 
 }  // namespace mirrorball::cli

@@ -1,6 +1,7 @@
 // Pictures of light by exposure and tone map, as thumbnails of panoramas are made.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,6 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class ConvertDisplayTest : public CliTest {
@@ -45,6 +47,43 @@ class ConvertDisplayTest : public CliTest {
     return count;
   }
 };
+
+TEST_F(ConvertDisplayTest, AGainMapHoldsTheLightBesideItsPicture) {
+  const Image light = image("map.exr");
+  for (const std::string display : {"", " --tone-map aces"}) {
+    succeed("convert map.exr" + display + " -o plain.jpg");
+    succeed("convert map.exr --gain-map" + display + " -o room.jpg");
+    EXPECT_EQ(differences(codes("room.jpg"), codes("plain.jpg")), 0) << "other readers show the same picture";
+    const Image back = image("room.jpg");
+    EXPECT_NEAR(back.texel(20, 8)[1], 1e5f, 1.2e4f) << "the sun";
+    double error = 0.0;
+    for (int y = light.height() / 2; y < light.height(); ++y)
+      for (int x = 0; x < light.width(); ++x) error += std::abs(back.texel(x, y)[1] / light.texel(x, y)[1] - 1.0f);
+    EXPECT_LT(error / (light.width() * light.height() / 2), 0.03);
+  }
+  EXPECT_THAT(succeed("info room.jpg"), HasSubstr("gain map of"));
+  succeed("convert room.jpg --to cube --size 16 -o cube.ktx2");
+  EXPECT_THAT(succeed("compare room.jpg map.exr"), Not(HasSubstr("sRGB")));
+  succeed("convert map.exr --gain-map --to cube --layout faces --size 8 -o six.jpg");
+  EXPECT_GT(image("six_px.jpg").width(), 0);
+  succeed("convert map.exr --gain-map --exposure 1 -o brighter.jpg");
+  EXPECT_NEAR(image("brighter.jpg").texel(5, 25)[1], 2.0f * light.texel(5, 25)[1], 0.1f * light.texel(5, 25)[1]);
+}
+
+TEST_F(ConvertDisplayTest, OnlyAJpegHasAGainMap) {
+  for (const std::string file : {"a.png", "a.exr", "a.ktx2"})
+    EXPECT_THAT(refuse(2, "convert map.exr --gain-map -o " + file),
+                HasSubstr(file + ": has no gain map beside its picture; write .jpg"));
+}
+
+TEST_F(ConvertDisplayTest, ALostGainMapIsRemarkedOn) {
+  succeed("convert map.exr --gain-map -o room.jpg");
+  const Bytes whole = bytes("room.jpg");
+  constexpr std::array<std::uint8_t, 3> kBegin{0xff, 0xd8, 0xff};
+  const auto map = std::find_end(whole.begin(), whole.end(), kBegin.begin(), kBegin.end());
+  write("cut.jpg", Bytes(whole.begin(), map));
+  EXPECT_THAT(run("convert cut.jpg -o cut.hdr").err, HasSubstr("cut.jpg: says that it has a gain map, and has lost"));
+}
 
 TEST_F(ConvertDisplayTest, APictureIsWhatADisplayShowsOfTheRadianceInEveryForm) {
   const Display display{1.0f, ToneMap::aces};

@@ -142,6 +142,26 @@ Result<void> savePicture(const std::filesystem::path& path, const Image8& pictur
   return writeFile(path, bytes);
 }
 
+Result<void> savePictureWithGainMap(const std::filesystem::path& path, const Image8& picture, const Image& light,
+                                    const Metadata& metadata) {
+  const std::string name = path.string();
+  MIRRORBALL_TRY_VOID(checkHoldsGainMap(path));
+  MIRRORBALL_TRY_VOID(withName(name, checkShape(picture)));
+  MIRRORBALL_TRY_VOID(withName(name, checkShape(light)));
+  MIRRORBALL_TRY_VOID(checkMetadata(metadata));
+  MIRRORBALL_TRY(format, formatToWrite(path, {Holds::picture}));
+  const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
+  MIRRORBALL_TRY(
+      bytes, withName(name, withinMemory<Bytes>([&] { return codec.encode_with_gain_map(picture, light, metadata); })));
+  return writeFile(path, bytes);
+}
+
+Result<void> checkHoldsGainMap(const std::filesystem::path& path) {
+  const auto format = formatToWrite(path, kPicturesAndLight);
+  if (format && FormatRegistry::ofThisBuild()[*format].encode_with_gain_map) return {};
+  return fail(ErrorCode::usage, path.string() + ": has no gain map beside its picture; write .jpg");
+}
+
 bool holdsCodes(Span bytes) { return codecOfIntegers(bytes) != nullptr; }
 
 Result<void> checkWritable(const std::filesystem::path& path) {

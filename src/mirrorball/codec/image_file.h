@@ -25,12 +25,20 @@ namespace mirrorball {
 ///   "sh"                        Filament's, in KTX: harmonics of irradiance, bake/harmonics/filament_harmonics.h
 using Metadata = std::map<std::string, std::string>;
 
+/// What became of a gain map, by which a JPEG holds light brighter than white (Ultra HDR, ISO 21496-1).
+enum class GainMapUse {
+  none,     ///< the file speaks of none
+  applied,  ///< the image is the light that picture and gain map hold
+  lost,     ///< the file says that it has one, and has lost it: the image is the picture alone
+};
+
 /// An image as it comes from a file.
 struct DecodedImage {
   Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
   Metadata metadata;
   std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
+  GainMapUse gain_map = GainMapUse::none;
 };
 
 /// What travels in an OpenEXR file beside its image: "albedo.R", "normal.X".
@@ -54,8 +62,8 @@ struct ImageWriteOptions {
 Result<Bytes> readImageFile(const std::filesystem::path& path);
 
 /// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
-/// sRGB unless a PNG states another curve; floats are linear light. Of a texture with one face, the largest level is
-/// read. NaN and infinity are kept: callers that need light check with findNonFinite.
+/// sRGB unless a PNG states another curve; floats are linear light, and so is a JPEG with a gain map. Of a texture with
+/// one face, the largest level is read. NaN and infinity are kept: callers that need light check with findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (also a format that the
 ///          build lacks)
@@ -79,7 +87,7 @@ bool isImage(std::span<const std::uint8_t> bytes);
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
 /// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour
-/// conversion); more bits are rounded.
+/// conversion, no gain map); more bits are rounded.
 ///
 /// returns  4 channels, alpha straight; alpha 255 where the file has none
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
@@ -96,6 +104,17 @@ bool holdsCodes(std::span<const std::uint8_t> bytes);
 
 /// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata = {});
+
+/// Writes an encoded picture as .jpg, with a gain map beside it: every reader shows the picture, and those that know of
+/// gain maps (Ultra HDR, ISO 21496-1), readImage among them, have the light.
+///
+/// light    linear, of the picture's size, white at 1
+/// errors   as savePicture's; usage: checkHoldsGainMap's
+Result<void> savePictureWithGainMap(const std::filesystem::path& path, const Image8& picture, const Image& light,
+                                    const Metadata& metadata = {});
+
+/// Whether the extension of `path` is one of files that are written with a gain map; the error names it.
+Result<void> checkHoldsGainMap(const std::filesystem::path& path);
 
 /// Whether the extension of `path` is one that writeImage takes; the error lists the right ones.
 Result<void> checkWritable(const std::filesystem::path& path);

@@ -108,6 +108,8 @@ Result<MapFile> MapFile::resolve(const std::string& path, const MapFileOptions& 
   file.observer_ = std::move(observer);
   file.is_texture_ = isTexturePath(path);
   file.display_ = options.display;
+  file.gain_map_ = options.gain_map;
+  if (options.gain_map) MIRRORBALL_TRY_VOID(checkHoldsGainMap(path));
   MIRRORBALL_TRY_VOID(file.setForm(options, projection));
   MIRRORBALL_TRY_VOID(file.setFormat(options));
   MIRRORBALL_TRY_VOID(file.setLevels(options));

@@ -42,6 +42,7 @@ struct MapFileOptions {
   std::optional<int> level = {};                ///< one mip level instead of the map
   MipSource mip_source = MipSource::automatic;  ///< weights of their texels
   Display display = {};                         ///< of pictures
+  bool gain_map = false;                        ///< of a .jpg: light beside the picture (savePictureWithGainMap)
 };
 
 /// The table of these options, except for the display's.
@@ -111,6 +112,8 @@ class MapFile {
   bool hasLevels() const { return all_levels_ || level_; }
   Result<void> writeFiles(ImageSet images, std::size_t negative) const;
   Result<void> writePictures(ImageSet images) const;
+  /// The picture that goes into one of paths(): the map, or a sheet of its levels.
+  Image pictureFor(ImageSet& images, std::size_t file) const;
   Result<TexelFormat> writeImages(const ImageSet& images, const Metadata& facts = {}) const;
   /// Whether a format was asked for that does not hold all light.
   bool limitsLight() const;
@@ -143,6 +146,7 @@ class MapFile {
   std::optional<int> level_;
   MipSource mip_source_ = MipSource::automatic;
   Display display_;
+  bool gain_map_ = false;
   Observer observer_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/file/recognize.h"
 #include "mirrorball/image/level_sheet.h"
@@ -67,17 +68,26 @@ Result<ImageSet> MapFile::levelsOf(EnvironmentMap map) const {
   return wantedOf(is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels));
 }
 
+Image MapFile::pictureFor(ImageSet& images, std::size_t file) const {
+  std::vector<Image> levels;
+  for (int level = 0; level < images.levels(); ++level)
+    levels.push_back(paths().size() > 1 ? std::move(images.at(level, static_cast<int>(file)))
+                                        : pictureOfImages(takeLevel(images, level), form_));
+  return levels.size() > 1 ? levelSheet(levels) : std::move(levels.front());
+}
+
 Result<void> MapFile::writePictures(ImageSet images) const {
+  ImageSet light = gain_map_ ? images : ImageSet(Image());
   if (display_ != Display{}) forEachImage(images, [&](Image& image) { showOn(display_, image); });
   const bool is_sheet = all_levels_ && images.levels() > 1;
   const ImageWriteOptions how{.half = half_, .metadata = is_sheet ? metadataOfLevelSheet() : metadataOf(form_)};
   const std::vector<std::string> files = paths();
   for (std::size_t file = 0; file < files.size(); ++file) {
-    std::vector<Image> levels;
-    for (int level = 0; level < images.levels(); ++level)
-      levels.push_back(files.size() > 1 ? std::move(images.at(level, static_cast<int>(file)))
-                                        : pictureOfImages(takeLevel(images, level), form_));
-    MIRRORBALL_TRY_VOID(writeImage(files[file], is_sheet ? levelSheet(levels) : std::move(levels.front()), how));
+    const Image picture = pictureFor(images, file);
+    MIRRORBALL_TRY_VOID(gain_map_
+                            ? savePictureWithGainMap(files[file], pictureFromLinear(picture, 3),
+                                                     lightOnDisplay(display_, pictureFor(light, file)), how.metadata)
+                            : writeImage(files[file], picture, how));
     observer_.tellWritten(files[file]);
   }
   return {};

@@ -45,6 +45,26 @@ OptionText toneMapText() {
           .is_number = true};
 }
 
+OptionText gainMapText() {
+  return {.name = "gain-map",
+          .help =
+              "write a .jpg with a gain map beside its picture (Ultra HDR, ISO 21496-1): readers that know of "
+              "it, this program among them, have the light that is brighter than white",
+          .group = "Picture"};
+}
+
+Image lightOnDisplay(const Display& display, const Image& image, glm::vec4 backdrop) {
+  const float exposure = display.exposure();
+  Image light = Image::withoutValues(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y) * glm::vec4(exposure, exposure, exposure, 1.0f);
+      const glm::vec4 whole = formula::laidOver(texel, backdrop);
+      std::copy_n(&whole.x, 3, light.texel(x, y));
+    }
+  return light;
+}
+
 void showOn(const Display& display, Image& image) {
   constexpr std::size_t kRowsPerPiece = 16;
   const float exposure = display.exposure();

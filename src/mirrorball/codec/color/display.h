@@ -21,6 +21,16 @@ struct Display {
 OptionText exposureText();
 OptionText toneMapText();
 
+/// --gain-map, of every command that writes pictures of light as .jpg.
+OptionText gainMapText();
+
+/// The light that a display without limits shows: what the picture of displayedPicture is before its tone map.
+///
+/// image     1, 3 or 4 channels, alpha premultiplied
+/// backdrop  as displayedPicture's
+/// returns   3 channels, white at 1
+Image lightOnDisplay(const Display& display, const Image& image, glm::vec4 backdrop = glm::vec4(0.0f));
+
 /// Converts radiance to the light that a display sends: formula::displayLight, texel by texel. A picture then encodes
 /// this light, as it does all linear light.
 ///

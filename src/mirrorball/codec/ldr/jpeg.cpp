@@ -12,9 +12,11 @@
 //
 #include <jerror.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/ultra_hdr.h"
 #include "mirrorball/codec/metadata.h"
 
 namespace mirrorball {
@@ -209,8 +211,12 @@ Result<Decoded> readJpegPicture(std::span<const std::uint8_t> bytes, bool textur
   return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
 }
 
-void writePixels(Compressor& encoder, const Image8& picture, const Metadata& metadata) {
-  constexpr int kQuality = 95;
+constexpr int kPictureQuality = 95;
+
+/// A gain map's codes are powers: at 95 a sun of one texel is off by a fifth, at 100 by 3 %.
+constexpr int kGainMapQuality = 100;
+
+void writePixels(Compressor& encoder, const Image8& picture, const Metadata& metadata, int quality) {
   jpeg_compress_struct& codec = encoder.codec;
   jpeg_create_compress(&codec);
   jpeg_mem_dest(&codec, &encoder.bytes, &encoder.size);
@@ -219,7 +225,7 @@ void writePixels(Compressor& encoder, const Image8& picture, const Metadata& met
   codec.input_components = picture.channels();
   codec.in_color_space = picture.channels() == 1 ? JCS_GRAYSCALE : picture.channels() == 3 ? JCS_RGB : JCS_EXT_RGBX;
   jpeg_set_defaults(&codec);
-  jpeg_set_quality(&codec, kQuality, TRUE);
+  jpeg_set_quality(&codec, quality, TRUE);
   for (int component = 0; component < codec.num_components; ++component)
     codec.comp_info[component].h_samp_factor = codec.comp_info[component].v_samp_factor = 1;
   jpeg_start_compress(&codec, TRUE);
@@ -237,13 +243,51 @@ void writePixels(Compressor& encoder, const Image8& picture, const Metadata& met
   jpeg_finish_compress(&codec);
 }
 
+/// Lifts a decoded picture to the light that its gain map holds, where it has one.
+Result<void> applyGainMap(std::span<const std::uint8_t> bytes, DecodedImage& decoded) {
+  MIRRORBALL_TRY(part, findGainMap(bytes));
+  if (!part) return {};
+  if (part->jpeg.empty()) {
+    decoded.gain_map = GainMapUse::lost;
+    decoded.format += ", its gain map lost";
+    return {};
+  }
+  const auto inGainMap = [](Error error) {
+    error.message = "has a gain map that " + error.message;
+    return tl::unexpected<Error>(std::move(error));
+  };
+  auto codes = readJpegPicture(part->jpeg, false);
+  if (!codes) return inGainMap(std::move(codes).error());
+  const Image8& map = codes->picture;
+  // The picture and the light stand side by side.
+  const std::uint64_t texels = std::uint64_t(decoded.image.width()) * std::uint64_t(decoded.image.height());
+  MIRRORBALL_TRY_VOID(checkMemory(texels * 2 * 3 * sizeof(float) + map.samples().size()));
+  decoded.image = lightByGainMap(decoded.image, map, part->map);
+  decoded.gain_map = GainMapUse::applied;
+  decoded.format += ", gain map of " + std::to_string(map.width()) + "x" + std::to_string(map.height());
+  return {};
+}
+
+/// errors   as encodeJpeg's
+Result<Bytes> encodedWith(int quality, const Image8& picture, const Metadata& metadata) {
+  if (picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION)
+    return fail(ErrorCode::bad_shape,
+                "a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
+  Compressor encoder;
+  if (!guardedFromJpeg(encoder.errors, [&] { writePixels(encoder, picture, metadata, quality); }))
+    return fail(ErrorCode::too_large, "cannot be encoded as JPEG: " + std::string(encoder.errors.message));
+  return Bytes(encoder.bytes, encoder.bytes + encoder.size);
+}
+
 }  // namespace
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(decoded, readJpegPicture(bytes, false));
   std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
                                                       : describeIccColor(decoded.icc_description);
-  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
+  DecodedImage image{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
+  MIRRORBALL_TRY_VOID(applyGainMap(bytes, image));
+  return image;
 }
 
 Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes) {
@@ -252,19 +296,22 @@ Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes) {
 }
 
 Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata) {
-  if (picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION)
-    return fail(ErrorCode::bad_shape,
-                "a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
-  Compressor encoder;
-  if (!guardedFromJpeg(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
-    return fail(ErrorCode::too_large, "cannot be encoded as JPEG: " + std::string(encoder.errors.message));
-  return Bytes(encoder.bytes, encoder.bytes + encoder.size);
+  return encodedWith(kPictureQuality, picture, metadata);
+}
+
+Result<Bytes> encodeJpegWithGainMap(const Image8& picture, const Image& light, const Metadata& metadata) {
+  MIRRORBALL_TRY(first, encodeJpeg(picture, metadata));
+  MIRRORBALL_TRY(shown, decodeJpeg(first));
+  const MadeGainMap made = gainMapFor(shown.image, light);
+  MIRRORBALL_TRY(second, encodedWith(kGainMapQuality, made.codes, {}));
+  return joinedUltraHdr(first, second, made.numbers);
 }
 
 FormatCodec jpegCodec() {
   return {.decode = withoutProgress<decodeJpeg>,
           .decode_texture = decodeJpegTexture,
           .encode_picture = encodeJpeg,
+          .encode_with_gain_map = encodeJpegWithGainMap,
           .picture_channels = 3};
 }
 

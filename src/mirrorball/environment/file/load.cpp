@@ -151,6 +151,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   std::string color;
   Metadata metadata;
   NonFinite bad;
+  bool lacks_gain_map = false;
   for (int slot = 0; slot < 6; ++slot) {
     const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
@@ -164,9 +165,11 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     images.at(0, slot) = std::move(decoded.image);
     format = decoded.format;
     color = decoded.color;
+    lacks_gain_map = lacks_gain_map || decoded.gain_map == GainMapUse::lost;
   }
   MIRRORBALL_TRY(loaded, withName(name, cubeOf(std::move(images), std::move(format), std::move(color),
                                                std::move(metadata), std::move(recognition), bad, options)));
+  loaded.lacks_gain_map = lacks_gain_map;
   loaded.files.assign(files.paths.begin(), files.paths.end());
   return loaded;
 }
@@ -195,7 +198,8 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoa
                            .file_size = size,
                            .bad_texels = bad,
                            .metadata = std::move(decoded.metadata),
-                           .doubt = std::move(doubt)};
+                           .doubt = std::move(doubt),
+                           .lacks_gain_map = decoded.gain_map == GainMapUse::lost};
 }
 
 /// "9 mip levels, the first of 2 layers": what else a texture has.
@@ -337,6 +341,11 @@ void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
   if (!loaded.doubt.message.empty())
     observer.tell(RemarkKind::form_doubted, loaded.name + ": " + loaded.doubt.message,
                   join(loaded.doubt.other_forms, "|"));
+  if (loaded.lacks_gain_map)
+    observer.tell(RemarkKind::gain_map_lost,
+                  loaded.name +
+                      ": says that it has a gain map, and has lost it: read as the picture alone, without "
+                      "light brighter than white");
   tellLimited(loaded.name, loaded.lost, observer);
 }
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: browser_test.sh MIRRORBALL SOURCE_DIR SCRATCH_DIR CHECK ARGUMENT …
 #
-# Runs CHECK.mjs, which has a web engine show maps that the program wrote for it, in Chromium. Exit code 77 (skipped) where Node, npm, npm's
-# registry, Chromium or an OpenGL driver is absent.
+# Runs CHECK.mjs, which has a web engine show maps that the program wrote for it, in Chromium. Exit code 77 (skipped)
+# where Node, npm, npm's registry, Chromium or an OpenGL driver is absent.
 
 set -eu
 mirrorball=$1

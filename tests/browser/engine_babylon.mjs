@@ -4,6 +4,7 @@ import '@babylonjs/core/Engines/Extensions/engine.readTexture.js';
 
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js';
 import { Engine } from '@babylonjs/core/Engines/engine.js';
+import { PBRBRDFConfiguration } from '@babylonjs/core/Materials/PBR/pbrBRDFConfiguration.js';
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js';
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js';
 import { Color3 } from '@babylonjs/core/Maths/math.color.js';
@@ -14,6 +15,9 @@ import { Scene } from '@babylonjs/core/scene.js';
 const side_px = 8;
 const floats = 1;  // Constants.TEXTURETYPE_FLOAT
 const metal = 0.04;  // dark: light that is reflected many times, which an engine adds, plays no part
+
+// Reflections alone: else rough metals show irradiance too.
+PBRBRDFConfiguration.DEFAULT_MIX_IBL_RADIANCE_WITH_IRRADIANCE = false;
 
 /// A ball in an environment.
 ///

@@ -5,11 +5,11 @@ import * as THREE from 'three';
 const side_px = 8;
 const metal = [0.04, 0.04, 0.04];  // dark: light that is reflected many times, which an engine adds, plays no part
 
-/// loadEnvironment   (url), of the documentation
+/// loadEnvironment   (url, renderer), of the documentation
 export async function startThree(url, loadEnvironment) {
   const renderer = new THREE.WebGLRenderer();
   const scene = new THREE.Scene();
-  scene.environment = await loadEnvironment(url);
+  scene.environment = await loadEnvironment(url, renderer);
   const ball = new THREE.Mesh(new THREE.SphereGeometry(1, 128, 64));
   scene.add(ball);
   const camera = new THREE.OrthographicCamera(-0.02, 0.02, 0.02, -0.02, 0.1, 10);

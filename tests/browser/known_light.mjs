@@ -20,22 +20,30 @@ function lightFrom(d) {
   return d.map((component, c) => 0.3 + 0.25 * component + (isLamp ? lamp.radiance[c] : 0));
 }
 
-/// The texels of a panorama in our arrangement (docs/conventions.md): directions, solid angles, light.
-const texels = [];
-for (let y = 0; y < height; ++y) {
-  const theta = (Math.PI * (y + 0.5)) / height;
-  const solidAngle =
-    (Math.cos((Math.PI * y) / height) - Math.cos((Math.PI * (y + 1)) / height)) * ((2 * Math.PI) / width);
-  for (let x = 0; x < width; ++x) {
-    const phi = (2 * Math.PI * (x + 0.5)) / width;
-    const d = [Math.sin(theta) * Math.sin(phi), Math.cos(theta), -Math.sin(theta) * Math.cos(phi)];
-    texels.push({ d, solidAngle, light: lightFrom(d) });
+/// The texels of a panorama in our arrangement (docs/conventions.md), from the highest row: directions, solid angles,
+/// light.
+///
+/// lightOf   of a direction, and a texel's number
+export function panoramaTexels(width, height, lightOf) {
+  const texels = [];
+  for (let y = 0; y < height; ++y) {
+    const theta = (Math.PI * (y + 0.5)) / height;
+    const solidAngle =
+      (Math.cos((Math.PI * y) / height) - Math.cos((Math.PI * (y + 1)) / height)) * ((2 * Math.PI) / width);
+    for (let x = 0; x < width; ++x) {
+      const phi = (2 * Math.PI * (x + 0.5)) / width;
+      const d = [Math.sin(theta) * Math.sin(phi), Math.cos(theta), -Math.sin(theta) * Math.cos(phi)];
+      texels.push({ d, solidAngle, light: lightOf(d, texels.length) });
+    }
   }
+  return texels;
 }
+
+export const knownTexels = panoramaTexels(width, height, lightFrom);
 
 function writePfm(path, lightOf) {
   const samples = new Float32Array(width * height * 3);
-  texels.forEach((texel, i) => {
+  knownTexels.forEach((texel, i) => {
     const [x, y] = [i % width, Math.floor(i / width)];
     samples.set(lightOf(texel), 3 * ((height - 1 - y) * width + x));  // PFM has its rows from the bottom
   });
@@ -51,7 +59,7 @@ export function writeMaps(path, whitePath) {
 }
 
 /// The mean of the light around a direction, each direction weighted with `lobe` of its cosine.
-function meanAround(direction, lobe) {
+function meanAround(texels, direction, lobe) {
   const sum = [0, 0, 0];
   let weights = 0;
   for (const { d, solidAngle, light } of texels) {
@@ -66,10 +74,10 @@ function meanAround(direction, lobe) {
 
 /// What a rough metal shows that is seen along its normal: GGX with n = v (docs/prefiltering.md). Roughness 1 is what a
 /// matt white surface shows.
-export function exactMean(direction, roughness) {
+export function exactMean(texels, direction, roughness) {
   const alpha2 = roughness ** 4;
   const towards = normalized(direction);
-  return meanAround(towards, (cosine) => {
+  return meanAround(texels, towards, (cosine) => {
     const halfCosine2 = (1 + cosine) / 2;
     return cosine / (1 + (alpha2 - 1) * halfCosine2) ** 2;
   });

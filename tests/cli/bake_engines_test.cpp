@@ -24,16 +24,36 @@ TEST_F(BakeEnginesTest, ThreeGetsAChainThatEndsAt8) {
   const ImageSet levels = texture("out/specular.ktx2");
   ASSERT_EQ(levels.levels(), 6);
   EXPECT_EQ(levels.at(5, 0).width(), 8);
-  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["format"], "r16g16b16a16 sfloat");
+  EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["format"], "uastc hdr 4x4");
   EXPECT_EQ(jsonIn("out/manifest.json")["specular"]["levels"][5]["perceptual_roughness"], 1.0);
   EXPECT_THAT(succeed("info out/specular.ktx2"), HasSubstr("axes="));
+}
+
+TEST_F(BakeEnginesTest, ThreesFormatIsThatOfItsLoader) {
+  succeed("bake white --for three --size 16 -o usual.ktx2");
+  succeed("bake white --for three --size 16 --format uastc_hdr -o same.ktx2");
+  EXPECT_EQ(bytes("usual.ktx2"), bytes("same.ktx2"));
+  succeed("bake white --for three --size 16 --zstd 19 -o small.ktx2");
+  EXPECT_LT(bytes("small.ktx2").size(), bytes("usual.ktx2").size());
+  succeed("bake white --for three --size 16 --extension dds -o halves");
+  EXPECT_EQ(jsonIn("halves/manifest.json")["specular"]["format"], "r16g16b16a16 sfloat");
+}
+
+TEST_F(BakeEnginesTest, LightThatThreesFormatDoesNotHoldIsTold) {
+  Image map(32, 16, 3, 1e5f);
+  write("bright.exr", map);
+  EXPECT_THAT(run("bake bright.exr --for three --size 16 -o bright").err, HasSubstr("uastc_hdr holds 0 to 65504"));
+  for (float& light : map.samples()) light = 1e-7f;
+  write("dark.exr", map);
+  EXPECT_THAT(run("bake dark.exr --for three --size 16 -o dark").err, HasSubstr("few of its digits"));
 }
 
 TEST_F(BakeEnginesTest, ThreesBackgroundIsWrittenIfItIsAskedFor) {
   succeed("bake white --for three --size 16 --skybox-size 8 --format bc6h -o out");
   EXPECT_THAT(files(), ElementsAre("out/", "out/manifest.json", "out/skybox.ktx2", "out/specular.ktx2"));
   EXPECT_THAT(refuse(2, "bake white --for three --brdf-size 8 -o out"), HasSubstr("three.js has a BRDF table"));
-  EXPECT_THAT(refuse(2, "bake white --for three --format e5b9g9r9 -o out"), HasSubstr("three reads half, float32"));
+  EXPECT_THAT(refuse(2, "bake white --for three --format e5b9g9r9 -o out"),
+              HasSubstr("three reads uastc_hdr, half, float32"));
 }
 
 TEST_F(BakeEnginesTest, AnotherMipMappingGivesTheMapsOneByOne) {

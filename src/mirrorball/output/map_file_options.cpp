@@ -28,8 +28,9 @@ const std::string kFormatAliases = formatAliases();
 const std::string kFormatHelp = "texel format: " + join(texelFormatNames("exr"), ", ", " or ") + " in .exr; " +
                                 join(texelFormatNames("dds"), ", ", " or ") + " in " +
                                 writtenExtensions(Holds::texture, " and ") +
-                                ", in .ktx2 uastc_hdr too; auto is float32 in .exr, and half in textures if it holds "
-                                "all values; bc6h and uastc_hdr are compressed to one byte per texel";
+                                ", in .ktx2 uastc_hdr too; auto is float32 in .exr, half in textures if it holds all "
+                                "values, and in what bake makes for filament and three b10g11r11 and uastc_hdr; bc6h "
+                                "and uastc_hdr are compressed to one byte per texel";
 
 constexpr ChoiceField<MapFileOptions> kFormatField{
     [](const MapFileOptions& options) { return options.format ? static_cast<int>(*options.format) + 1 : 0; },

@@ -272,8 +272,8 @@ Result<BakedMaps> BakedSet::Parts::bakeMaps(LoadedEnvironment& environment) cons
   const std::string name = environment.name;
   const BakeSettings which = bakeSettings(settings, files, environment.environment);
   auto maps = withName(name, bake(std::move(environment.environment), which, observer.named(name)));
-  const bool in_halves = settings.file.format.value_or(TexelFormat::half) == TexelFormat::half;
-  if (maps && in_halves && maps->values.areTooDarkForHalves())
+  const bool in_floats = settings.file.format == TexelFormat::float32;
+  if (maps && !in_floats && maps->values.areTooDarkForHalves())
     observer.tell(RemarkKind::digits_lost, name + ": is so dark that half floats hold few of its digits");
   return maps;
 }

@@ -15,7 +15,7 @@ namespace mirrorball {
 namespace {
 
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
-constexpr std::array<TexelFormat, 2> kOfThree{TexelFormat::float32, TexelFormat::bc6h};
+constexpr std::array<TexelFormat, 3> kOfThree{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
 
 /// docs/prefiltering.md and docs/engines.md have the sources.
 constexpr auto kEngineSets = std::to_array<EngineSet>({
@@ -35,7 +35,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
     {.program = "three",
      .mip_mapping = MipMapping::filament,
      .files = SetFiles::chain,
-     .format = TexelFormat::half,
+     .format = TexelFormat::uastc_hdr,
      .other_formats = kOfThree,
      .smallest_face = 8,
      .needs_no_others = "three.js has a BRDF table of its own, looks reflections up once, and finds irradiance in the "

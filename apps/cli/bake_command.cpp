@@ -65,41 +65,68 @@ struct BakeRequest {
   GivenOptions given;
 };
 
+using OptionNames = std::span<const std::string_view>;
+
 /// Refuses options that say something about what there is not.
 ///
 /// why      what to say before and after the option's name
 /// errors   usage
-Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_view> names,
-                         const std::array<std::string, 2>& why) {
+Result<void> refuseGiven(const GivenOptions& given, OptionNames names, const std::array<std::string, 2>& why) {
   for (const std::string_view name : names)
     if (given.contains(name)) return fail(ErrorCode::usage, why[0] + "--" + std::string(name) + why[1]);
   return {};
+}
+
+// Options by what they say something about.
+constexpr std::array<std::string_view, 6> kOfOurMaps{"sh-degree", "brdf-size",      "brdf-channels",
+                                                     "brdf-axes", "brdf-extension", "lobe-rows"};
+constexpr std::array<std::string_view, 1> kOfIrradiance{"irradiance-size"};
+constexpr std::array<std::string_view, 2> kOfSkybox{"skybox", "skybox-size"};
+constexpr std::array<std::string_view, 1> kOfNames{"extension"};
+constexpr std::array<std::string_view, 1> kOfSplit{"split"};
+constexpr std::array<std::string_view, 2> kOfLamps{"min-share", "max-size"};
+constexpr std::array<std::string_view, 2> kOfTextures{"format", "zstd"};
+
+/// Refuses options that a program's own files have no use for.
+///
+/// errors   usage
+Result<void> refuseUnread(const BakeRequest& request, const EngineSet& set) {
+  const GivenOptions& given = request.given;
+  const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
+  if (set.files != SetFiles::ours) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfOurMaps, has_no_use));
+  if (!set.has_irradiance_cube) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfIrradiance, has_no_use));
+  if (set.files != SetFiles::packed) return {};
+  MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSkybox, has_no_use));
+  const std::string packed = "." + std::string(set.extension);
+  const std::string written = packed + (set.beside.empty() ? "" : " and ." + std::string(set.beside));
+  MIRRORBALL_TRY_VOID(refuseGiven(
+      given, kOfNames, {"", ": {option:for} " + std::string(set.program) + " writes " + written + "; leave it out"}));
+  if (!set.beside.empty() && !isOneFile(request.options.output)) return {};
+  return refuseGiven(given, kOfTextures, {"", " is for textures, and " + packed + " is none; leave it out"});
 }
 
 /// Refuses options of maps that the output has no place for.
 ///
 /// errors   usage
 Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
-  constexpr std::array<std::string_view, 13> kOfFolders{
-      "sh-degree", "brdf-size",   "brdf-channels", "brdf-axes", "brdf-extension", "lobe-rows", "irradiance-size",
-      "skybox",    "skybox-size", "extension",     "split",     "min-share",      "max-size"};
-  const std::span<const std::string_view> all = kOfFolders;
+  const GivenOptions& given = request.given;
+  const std::string& output = request.options.output;
   MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program, request.settings.mip_mapping));
-  const bool is_packed = set.files == SetFiles::packed;
-  const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
-  if (is_packed) {
-    MIRRORBALL_TRY_VOID(refuseGiven(request.given, all.first(6), has_no_use));
-    MIRRORBALL_TRY_VOID(refuseGiven(request.given, all.subspan(7, 3), has_no_use));
+  const bool is_texture = isOneFile(output) && isTexturePath(output);
+  if (!is_texture) MIRRORBALL_TRY_VOID(refuseUnread(request, set));
+  if (isOneFile(output)) {
+    const std::string what = is_texture ? ": holds the specular chain only" : ": is one file with all in it";
+    const std::array<std::string, 2> why{output + what + ", and ",
+                                         " is for what lies beside it; name a folder, without an extension"};
+    if (is_texture)
+      for (const OptionNames names :
+           {OptionNames(kOfOurMaps), OptionNames(kOfIrradiance), OptionNames(kOfSkybox), OptionNames(kOfNames)})
+        MIRRORBALL_TRY_VOID(refuseGiven(given, names, why));
+    MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSplit, why));
+    return refuseGiven(given, kOfLamps, why);
   }
-  if (isOneFile(request.options.output))
-    return refuseGiven(request.given, is_packed ? all.subspan(10) : all,
-                       {request.options.output + ": holds the specular chain only, and ",
-                        " is for what lies beside it; name a folder, without an extension"});
-  if (!request.settings.split)
-    MIRRORBALL_TRY_VOID(
-        refuseGiven(request.given, all.last(2), {"", " says which lamps are taken out of the maps; add --split"}));
-  if (set.files == SetFiles::ours || is_packed) return {};
-  return refuseGiven(request.given, all.first(7), has_no_use);
+  if (request.settings.split) return {};
+  return refuseGiven(given, kOfLamps, {"", " says which lamps are taken out of the maps; add --split"});
 }
 
 /// terminalObserver, which also says what an interruption leaves in a folder that was there before.
@@ -223,7 +250,7 @@ Command bakeCommand() {
   addOptions(command, std::span(kBakeOptions).first(1), bake.options);
   addOptions(command, std::span(&kBakeRotate, 1), bake.settings);
   addOptions(command, std::span(kBakeOptions).subspan(1), bake.options);
-  addOptions(command, textureFileOptions(), bake.settings.file);
+  addOptions(command, textureFileOptions(), bake.settings.file, &bake.given);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->bake.options.output,
                                [&] { return bakeInputs(request->inputs, request->bake); });

@@ -172,7 +172,7 @@ std::string adviceOn(const Remark& remark) {
     case RemarkKind::body_open:
       return "; --set thin_walled=yes makes it a thin sheet without an inside";
     case RemarkKind::levels_few:
-      return "; --levels " + remark.detail + " mends it";
+      return remark.detail.empty() ? "; a larger --size mends it" : "; --levels " + remark.detail + " mends it";
     default:
       return "";
   }

@@ -112,6 +112,29 @@ TEST_F(BakeEnginesTest, ChainsThatAProgramCannotReadAreRefused) {
   EXPECT_THAT(refuse(2, "bake white --for babylon -o out.png"), HasSubstr(".env"));
 }
 
+TEST_F(BakeEnginesTest, OptionsThatAFileDoesNotReadAreRefused) {
+  for (const std::string line : {"-o x.env --for babylon --format float32", "-o out --for playcanvas --format float32",
+                                 "-o out --for gltf --zstd 3", "-o x.png --for playcanvas --zstd 3"})
+    EXPECT_THAT(refuse(2, "bake white --size 32 " + line), HasSubstr(" is for textures, and .")) << line;
+  EXPECT_THAT(refuse(2, "bake white --for gltf --irradiance-size 8 -o out"),
+              HasSubstr("three bands of irradiance only"));
+  EXPECT_THAT(refuse(2, "bake white --for babylon --extension exr -o out"),
+              HasSubstr("--extension: --for babylon writes .env and .dds; leave it out"));
+  EXPECT_THAT(refuse(2, "bake white --for babylon --split -o x.env"),
+              HasSubstr("x.env: is one file with all in it, and --split is for what lies beside it; name a folder"));
+  EXPECT_THAT(refuse(2, "bake white --for babylon --irradiance-size 8 -o x.ktx2"), HasSubstr("specular chain only"));
+  for (const std::string program : {"", " --for three", " --for playcanvas"})
+    EXPECT_THAT(refuse(2, "bake white -o x.env" + program), HasSubstr(".env is --for babylon")) << program;
+  EXPECT_THAT(files(), ElementsAre());
+  succeed("bake white --for babylon --size 32 --format float32 -o out");
+  EXPECT_THAT(succeed("info out/environment.dds"), HasSubstr("r32g32b32a32 sfloat"));
+}
+
+TEST_F(BakeEnginesTest, ChainsThatCannotHaveMoreLevelsAreNotAdvisedToTakeThem) {
+  EXPECT_THAT(run("bake white --size 1 -o x.ktx2").err,
+              AllOf(HasSubstr("level 0 only"), HasSubstr("a larger --size mends it"), Not(HasSubstr("--levels"))));
+}
+
 TEST_F(BakeEnginesTest, AnOlderSetOfAnotherProgramGoes) {
   succeed("bake white --for babylon --size 16 -o out");
   write("out/environment.txt", std::string("the user's own"));

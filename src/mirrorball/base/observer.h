@@ -26,7 +26,7 @@ enum class RemarkKind {
   levels_left_out,   ///< of its mip levels only the first is taken
   model_reduced,     ///< a model has what is not read, or what is not drawn
   body_open,         ///< a transmitting body has an open surface
-  levels_few,        ///< there are not the mip levels that their reader expects; `detail` is how many that would be
+  levels_few,        ///< there are not the mip levels that their reader expects; `detail`: how many, if a chain can
 };
 
 /// What a caller did not ask for but should know.

@@ -1,7 +1,8 @@
 #include "mirrorball/output/baked/babylon_environment.h"
 
-#include <string>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,26 +18,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::uint8_t, 8> kEnvMagic{0x86, 0x16, 0x87, 0x96, 0xf6, 0xd6, 0x96, 0x36};
 constexpr std::array<std::string_view, 9> kTermNames{"x", "y", "z", "xx", "yy", "zz", "yz", "zx", "xy"};
 
-/// The pictures of a file, one behind the other, and where each of them is.
-struct Pictures {
-  Bytes bytes;
-
-  /// Appends all levels of a cube.
-  ///
-  /// returns  length and position of each face of each level
-  /// errors   too_large
-  Result<Json> append(const ImageSet& cube) {
-    Json places = Json::array();
-    const ImageSet faces = arranged(cube, babylonArrangement());
-    for (int level = 0; level < faces.levels(); ++level)
-      for (int face = 0; face < 6; ++face) {
-        MIRRORBALL_TRY(png, encodedPng(faces.at(level, face), rgbd()));
-        places.push_back({{"length", png.size()}, {"position", bytes.size()}});
-        bytes.insert(bytes.end(), png.begin(), png.end());
-      }
-    return places;
+/// Where each of some pictures is, that lie one behind the other.
+///
+/// position  of the first; becomes that behind the last
+Json placesOf(std::span<const Bytes> pictures, std::size_t& position) {
+  Json places = Json::array();
+  for (const Bytes& picture : pictures) {
+    places.push_back({{"length", picture.size()}, {"position", position}});
+    position += picture.size();
   }
-};
+  return places;
+}
 
 }  // namespace
 
@@ -58,20 +50,25 @@ std::array<glm::vec3, 9> babylonPolynomial(const Harmonics& radiance) {
           -kOfBand2 * c[4]};
 }
 
-Result<PackedLight> babylonEnvironment(const BakedMaps& maps) {
+Result<PackedLight> babylonEnvironment(const BakedMaps& maps, const ProgressFunction& progress) {
   Json json{{"version", 2}, {"width", maps.levels.front().size}, {"imageType", "image/png"}};
   const std::array<glm::vec3, 9> polynomial = babylonPolynomial(maps.radiance);
   for (std::size_t i = 0; i < polynomial.size(); ++i)
     json["irradiance"][kTermNames[i]] = {polynomial[i].x, polynomial[i].y, polynomial[i].z};
-  Pictures pictures;
-  MIRRORBALL_TRY(specular, pictures.append(maps.specular));
-  json["specular"] = {{"mipmaps", specular}, {"lodGenerationScale", 0.8}};
-  MIRRORBALL_TRY(irradiance, pictures.append(maps.irradiance.images()));
-  json["irradiance"]["irradianceTexture"] = {{"size", maps.irradiance.size()}, {"faces", irradiance}};
+  const std::size_t count = maps.levels.size() * 6;
+  MIRRORBALL_TRY(specular,
+                 encodedCube(maps.specular, babylonArrangement(), rgbd(), partOf(progress, 0, count, count + 6)));
+  MIRRORBALL_TRY(irradiance, encodedCube(maps.irradiance.images(), babylonArrangement(), rgbd(),
+                                         partOf(progress, count, 6, count + 6)));
+  std::size_t position = 0;
+  json["specular"] = {{"mipmaps", placesOf(specular, position)}, {"lodGenerationScale", 0.8}};
+  json["irradiance"]["irradianceTexture"] = {{"size", maps.irradiance.size()},
+                                             {"faces", placesOf(irradiance, position)}};
   LittleEndianWriter file;
   file.append(kEnvMagic);
   file.text(json.dump());
-  file.append(pictures.bytes);
+  for (const std::vector<Bytes>* const pictures : {&specular, &irradiance})
+    for (const Bytes& picture : *pictures) file.append(picture);
   return PackedLight{file.takeBytes(), lostLight(maps.specular, rgbd()), rgbd().brightest};
 }
 

@@ -137,11 +137,14 @@ Result<BakedFiles> BakedFiles::resolve(const std::string& output, const BakedSet
   if (!isOneFile(output)) return filesInFolder(output, settings, set, observer);
   if (set.files == SetFiles::packed && extensionOf(output) == set.extension)
     return BakedFiles{.set = set, .packed = output};
-  if (!isTexturePath(output))
+  if (!isTexturePath(output)) {
+    const std::string_view reader = programOfPacked(extensionOf(output));
     return fail(ErrorCode::usage,
                 output + ": a prefiltered chain goes into " + writtenExtensions(Holds::texture, " or ") +
                     (set.files == SetFiles::packed ? ", or into ." + std::string(set.extension) : "") +
+                    (reader.empty() ? "" : "; ." + extensionOf(output) + " is {option:for} " + std::string(reader)) +
                     "; or name a folder, without an extension");
+  }
   MIRRORBALL_TRY(chain, CubeFiles::resolve(settings.file, output, observer));
   return BakedFiles{.set = set, .specular = std::move(chain)};
 }

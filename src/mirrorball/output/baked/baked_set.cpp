@@ -63,19 +63,36 @@ class LaterTable {
   std::future<Result<Image>> table_;  // waits for its threads, and so is the first to go
 };
 
+/// The first level of roughness 1 or more in a chain with Babylon.js' mapping, or the last that there is.
+int lastLevelOfBabylon(int size) {
+  const auto roughness = [size](int level) {
+    return roughnessOfLevel(MipMapping::babylon, level, maxLevels(size) - 1, size);
+  };
+  int level = 0;
+  while (level < maxLevels(size) - 1 && roughness(level) < 0.999f) ++level;
+  return level;
+}
+
 /// What the chain lacks that its reader looks for.
 void tellFewLevels(const BakedSetSettings& settings, bool is_counted, const Observer& observer) {
   const int last = settings.levels - 1;
+  const auto tell = [&](const std::string& what, int needed) {
+    const bool helps = needed <= maxLevels(settings.size) && needed != settings.levels;
+    observer.tell(RemarkKind::levels_few, what, helps ? std::to_string(needed) : "");
+  };
   if (!is_counted && last == 0)
-    observer.tell(RemarkKind::levels_few,
-                  "a chain of " + counted(std::size_t(settings.size), "texel") +
-                      " a face has level 0 only, the environment itself",
-                  std::to_string(maxLevels(settings.size)));
+    tell("a chain of " + counted(std::size_t(settings.size), "texel") +
+             " a face has level 0 only, the environment itself",
+         maxLevels(settings.size));
   constexpr int kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
   if (settings.mip_mapping == MipMapping::unity && last != kLastLevelOfUnity)
-    observer.tell(RemarkKind::levels_few,
-                  "Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last),
-                  std::to_string(kLastLevelOfUnity + 1));
+    tell("Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last),
+         kLastLevelOfUnity + 1);
+  const int last_of_babylon = lastLevelOfBabylon(settings.size);
+  if (settings.mip_mapping == MipMapping::babylon && last < last_of_babylon)
+    tell("Babylon.js' mapping has roughness 1 by level " + std::to_string(last_of_babylon) +
+             ", and this chain ends with level " + std::to_string(last),
+         last_of_babylon + 1);
 }
 
 /// How fine a skybox is, as far as it is left to us.
@@ -84,31 +101,29 @@ int skyboxSize(const BakedSetSettings& settings, const Environment& environment)
   return settings.skybox_size > 0 ? settings.skybox_size : std::min(environment.naturalSize(Projection::cube), kMax);
 }
 
-/// The memory of a packed file beside the maps: texels of four bytes on all levels, coded and in the file.
-std::uint64_t packedBytes(int size) {
-  return std::uint64_t{2} * 4 * 6 * std::uint64_t(size) * std::uint64_t(size) * 4 / 3;
-}
-
 /// Which maps the files want of an environment.
 BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& files, const Environment& environment) {
   const bool needs_harmonics = files.set.files == SetFiles::cmgens || !files.packed.empty() ||
                                (files.set.files == SetFiles::ours && !files.folder.empty());
+  const bool needs_irradiance = files.irradiance || (!files.packed.empty() && files.set.has_irradiance_cube);
   BakeSettings maps{.size = settings.size,
                     .levels = settings.levels,
                     .distribution = settings.distribution,
                     .mip_mapping = *settings.mip_mapping,
-                    .irradiance_size = files.irradiance || !files.packed.empty() ? settings.irradiance_size : 0,
+                    .irradiance_size = needs_irradiance ? settings.irradiance_size : 0,
                     .harmonics_degree = needs_harmonics ? settings.harmonics_degree : 0,
                     .skybox_size = files.skybox ? skyboxSize(settings, environment) : 0,
                     .source_from_target = sourceFromRotated(settings.rotate_deg),
-                    .memory_meanwhile = files.brdf ? bytesOfTable(settings) : 0,
-                    .memory_after = files.packed.empty() ? 0 : packedBytes(settings.size)};
+                    .memory_meanwhile = files.brdf ? bytesOfTable(settings) : 0};
+  const auto takes = [&](std::uint64_t bytes) { maps.memory_after = std::max(maps.memory_after, bytes); };
   const auto packs = [&](const std::optional<CubeFiles>& cube, int size) {
-    if (cube) maps.memory_after = std::max(maps.memory_after, cube->memoryToWrite(size));
+    if (cube) takes(cube->memoryToWrite(size));
   };
   packs(files.specular, maps.size);
   packs(files.irradiance, maps.irradiance_size);
   packs(files.skybox, maps.skybox_size);
+  if (!files.packed.empty())
+    takes(std::uint64_t(files.set.pack_bytes) * 6 * std::uint64_t(maps.size) * std::uint64_t(maps.size));
   return maps;
 }
 
@@ -119,8 +134,7 @@ Metadata factsFor(const EngineSet& set, const Harmonics& radiance) {
 }
 
 /// Writes a program's own file, and tells what it does not hold.
-Result<void> packInto(const BakedFiles& files, const BakedMaps& maps, const Observer& observer) {
-  MIRRORBALL_TRY(packed, withName(files.packed, files.set.pack(maps)));
+Result<void> writePackedFile(const BakedFiles& files, const PackedLight& packed, const Observer& observer) {
   MIRRORBALL_TRY_VOID(writeFile(files.packed, packed.bytes));
   if (packed.lost.lost > 0.0)
     observer.tell(RemarkKind::light_too_bright,
@@ -147,10 +161,10 @@ class SetWriter {
   }
 
   /// Writes a program's own file, as far as the set has it.
-  Result<void> writePacked(const BakedMaps& maps) {
+  Result<void> writePacked(PackedLight packed) {
     if (files_.packed.empty()) return {};
     MIRRORBALL_TRY_VOID(goOn());
-    return packInto(files_, maps, observer_);
+    return writePackedFile(files_, packed, observer_);
   }
 
   Result<void> writeTable(const std::optional<BrdfFile>& file, Image table) {
@@ -216,7 +230,9 @@ struct BakedSet::Parts {
 
   Result<std::vector<MapLamp>> takeLamps(LoadedEnvironment& environment) const;
   Result<BakedMaps> bakeMaps(LoadedEnvironment& environment) const;
-  Result<void> writeFolder(BakedMaps maps, Image brdf, const std::vector<MapLamp>& lamps, const LoadedEnvironment& of);
+  Result<PackedLight> packMaps(const BakedMaps& maps) const;
+  Result<void> writeFolder(BakedMaps maps, PackedLight packed, Image brdf, const std::vector<MapLamp>& lamps,
+                           const LoadedEnvironment& of);
 };
 
 BakedSet::BakedSet(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -234,8 +250,8 @@ Result<BakedSet> BakedSet::resolve(const std::string& output, const BakedSetSett
   MIRRORBALL_TRY_VOID(checkChain(set, settings.size, settings.levels));
   BakedSetSettings settled = settings;
   const bool is_counted = settings.levels > 0;
-  if (!is_counted) settled.levels = levelCountFor(set, settings.size);
   if (!settled.mip_mapping) settled.mip_mapping = set.mip_mapping;
+  if (!is_counted) settled.levels = levelCountFor(set, *settled.mip_mapping, settings.size);
   MIRRORBALL_TRY(format, settledFormat(set, settings, isOneFile(output) ? extensionOf(output) : settings.extension));
   settled.file.format = format;
   MIRRORBALL_TRY(files, BakedFiles::resolve(output, settled, set, observer));
@@ -272,10 +288,17 @@ Result<BakedMaps> BakedSet::Parts::bakeMaps(LoadedEnvironment& environment) cons
   const std::string name = environment.name;
   const BakeSettings which = bakeSettings(settings, files, environment.environment);
   auto maps = withName(name, bake(std::move(environment.environment), which, observer.named(name)));
-  const bool in_floats = settings.file.format == TexelFormat::float32;
+  const bool in_floats = !files.specular || settings.file.format == TexelFormat::float32;
   if (maps && !in_floats && maps->values.areTooDarkForHalves())
     observer.tell(RemarkKind::digits_lost, name + ": is so dark that half floats hold few of its digits");
   return maps;
+}
+
+/// The program's own file, made before anything is written, so that an older set stays whole until then.
+Result<PackedLight> BakedSet::Parts::packMaps(const BakedMaps& maps) const {
+  if (files.packed.empty()) return PackedLight{};
+  return observer.timed("files: pack",
+                        [&] { return withName(files.packed, files.set.pack(maps, observer.progressOf("pack"))); });
 }
 
 Result<void> BakedSet::save(LoadedEnvironment environment) {
@@ -292,9 +315,11 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
     MIRRORBALL_TRY(made, LaterTable(parts.settings, parts.observer).get());
     table = std::move(made);
   }
+  MIRRORBALL_TRY(packed, parts.packMaps(maps));
   return parts.observer.timed("files: write", [&]() -> Result<void> {
-    if (!parts.files.folder.empty()) return parts.writeFolder(std::move(maps), std::move(table), lamps, environment);
-    if (!parts.files.packed.empty()) return packInto(parts.files, maps, parts.observer);
+    if (!parts.files.folder.empty())
+      return parts.writeFolder(std::move(maps), std::move(packed), std::move(table), lamps, environment);
+    if (!parts.files.packed.empty()) return writePackedFile(parts.files, packed, parts.observer);
     const Metadata facts = factsFor(parts.files.set, maps.radiance);
     MIRRORBALL_TRY_VOID(parts.files.specular->write(std::move(maps.specular), facts, [] { return Result<void>(); }));
     parts.files.specular->remarkOnForm();
@@ -302,8 +327,8 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
   });
 }
 
-Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const std::vector<MapLamp>& lamps,
-                                          const LoadedEnvironment& of) {
+Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Image brdf,
+                                          const std::vector<MapLamp>& lamps, const LoadedEnvironment& of) {
   MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
   SetWriter writer(
       files, observer,
@@ -311,7 +336,7 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const std:
   removeOlderSet(files, of.files);
   const int skybox_size = maps.skybox.size();
   WrittenFormats formats;
-  MIRRORBALL_TRY_VOID(writer.writePacked(maps));
+  MIRRORBALL_TRY_VOID(writer.writePacked(std::move(packed)));
   MIRRORBALL_TRY(specular,
                  writer.writeCube(files.specular, std::move(maps.specular), factsFor(files.set, maps.radiance)));
   formats.specular = specular;

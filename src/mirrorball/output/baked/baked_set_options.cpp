@@ -50,8 +50,9 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .value = "N",
       .minimum = 0,
       .maximum = 14,
-      .help = "number of mip levels, level 0 included; the last one has roughness 1. 0: down to 4 x 4 texels per face, "
-              "for filament down to 16 x 16, for three 8 x 8, for babylon 1 x 1; playcanvas has 6"},
+      .help = "number of mip levels, level 0 included; the last one has roughness 1, but for {option:mip-mapping} "
+              "babylon, which reaches it before its smallest levels. 0: down to 4 x 4 texels per face, for filament "
+              "down to 16 x 16, for three 8 x 8, for babylon and with its mapping 1 x 1; playcanvas has 6"},
      &BakedSetSettings::levels},
     {{.name = "distribution",
       .choices = "ggx|phong|blinn|charlie",
@@ -61,8 +62,8 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .choices = "auto|filament|linear|unreal|unity|frostbite|babylon|gltf",
       .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal, unity, "
               "babylon and gltf have their own, godot has that of frostbite, playcanvas the linear one, all others "
-              "that of filament. With any other, {option:for} three, babylon and playcanvas get separate maps in "
-              "place of their own file"},
+              "that of filament. With any but their own, {option:for} babylon and playcanvas get separate maps "
+              "in place of their own file, and three with any that is named"},
      kMipMappingField},
     {{.name = "irradiance-size",
       .value = "N",

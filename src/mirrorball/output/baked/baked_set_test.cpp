@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,11 +65,114 @@ TEST_F(BakedSetTest, OpenexrGetsItsOwnFiles) {
 TEST_F(BakedSetTest, WhatTheReaderMissesIsARemark) {
   BakedSetSettings settings = small();
   settings.file.program = "unity";
-  const auto saved = saveBakedSet(path("set"), light(), settings);
-  ASSERT_TRUE(saved) << saved.error().message;
-  ASSERT_EQ(saved->remarks.size(), 1u);
-  EXPECT_EQ(saved->remarks[0].kind, RemarkKind::levels_few);
-  EXPECT_EQ(saved->remarks[0].detail, "7");
+  // 16² texels have five levels.
+  for (const auto& [size, advice] : {std::pair(16, ""), std::pair(64, "7")}) {
+    settings.size = size;
+    const auto saved = saveBakedSet(path("set"), light(), settings);
+    ASSERT_TRUE(saved) << saved.error().message;
+    ASSERT_EQ(saved->remarks.size(), 1u);
+    EXPECT_EQ(saved->remarks[0].kind, RemarkKind::levels_few);
+    EXPECT_EQ(saved->remarks[0].detail, advice);
+  }
+}
+
+TEST_F(BakedSetTest, NoLevelsAreAdvisedWhereThereAreNoMore) {
+  BakedSetSettings settings = small();
+  for (const auto& [size, advice] : {std::pair(1, ""), std::pair(4, "3")}) {
+    settings.size = size;
+    const auto saved = saveBakedSet(path("chain.ktx2"), light(), settings);
+    ASSERT_TRUE(saved) << saved.error().message;
+    ASSERT_EQ(saved->remarks.size(), 1u);
+    EXPECT_EQ(saved->remarks[0].detail, advice) << size;
+  }
+}
+
+// roughness² = 2^(i / 0.8) / 64 is 1 in level 4.8.
+TEST_F(BakedSetTest, BabylonsMappingReachesRoughness1) {
+  BakedSetSettings settings = small();
+  settings.size = 64;
+  settings.mip_mapping = MipMapping::babylon;
+  const auto whole = saveBakedSet(path("chain.ktx2"), light(), settings);
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_THAT(whole->remarks, IsEmpty());
+  EXPECT_EQ(loadEnvironment(path("chain.ktx2"))->levels, 7);
+  settings.levels = 5;
+  const auto few = saveBakedSet(path("chain.ktx2"), light(), settings);
+  ASSERT_TRUE(few) << few.error().message;
+  ASSERT_EQ(few->remarks.size(), 1u);
+  EXPECT_EQ(few->remarks[0].kind, RemarkKind::levels_few);
+  EXPECT_EQ(few->remarks[0].detail, "6");
+  settings.levels = 6;
+  EXPECT_THAT(saveBakedSet(path("chain.ktx2"), light(), settings)->remarks, IsEmpty());
+}
+
+TEST_F(BakedSetTest, AProgramsOwnMappingLeavesItsOwnFile) {
+  BakedSetSettings settings = small();
+  settings.size = 32;
+  for (const auto& [program, mapping, file] : {std::tuple("babylon", MipMapping::babylon, "set/environment.env"),
+                                               std::tuple("playcanvas", MipMapping::linear, "set/environment.png"),
+                                               std::tuple("three", MipMapping::filament, "set/brdf.ktx2")}) {
+    settings.file.program = program;
+    settings.mip_mapping = mapping;
+    const auto set = BakedSet::resolve(path("set"), settings);
+    ASSERT_TRUE(set) << set.error().message;
+    EXPECT_THAT(set->paths(), IsSupersetOf({path(file)}));
+  }
+}
+
+// The advice is 32-bit floats, which no PNG has.
+TEST_F(BakedSetTest, DarkLightIsToldOfTexturesOnly) {
+  BakedSetSettings settings = small();
+  settings.size = 32;
+  for (const auto& [program, remarks] :
+       {std::pair("gltf", 0u), std::pair("playcanvas", 0u), std::pair("babylon", 1u)}) {
+    settings.file.program = program;
+    ImageSet images(1, 1);
+    images.at(0, 0) = Image(8, 4, 3, 1e-7f);
+    LoadedEnvironment dark{.environment = Environment(EnvironmentMap(Projection::equirect, std::move(images)))};
+    const auto saved = saveBakedSet(path(program), std::move(dark), settings);
+    ASSERT_TRUE(saved) << saved.error().message;
+    EXPECT_EQ(saved->remarks.size(), remarks) << program;
+  }
+}
+
+TEST_F(BakedSetTest, OnlyWhatIsReadIsBaked) {
+  BakedSetSettings settings = small();
+  settings.size = 32;
+  for (const auto& [program, expected] :
+       {std::pair("gltf", false), std::pair("three", false), std::pair("babylon", true)}) {
+    settings.file.program = program;
+    bool is_baked = false;
+    Observer observer;
+    observer.progress = [&is_baked](std::string_view stage) {
+      if (stage == "irradiance") is_baked = true;
+      return ProgressFunction();
+    };
+    ASSERT_TRUE(saveBakedSet(path(program), light(), settings, observer));
+    EXPECT_EQ(is_baked, expected) << program;
+  }
+}
+
+TEST_F(BakedSetTest, PackingStopsAndLeavesTheOlderSetWhole) {
+  BakedSetSettings settings = small();
+  settings.size = 32;
+  settings.file.program = "babylon";
+  const auto older = saveBakedSet(path("set"), light(), settings);
+  ASSERT_TRUE(older) << older.error().message;
+  Observer observer;
+  observer.progress = [](std::string_view stage) -> ProgressFunction {
+    return [is_packing = stage == "pack"](std::size_t done, std::size_t) { return !is_packing || done < 3; };
+  };
+  for (const std::string program : {"babylon", "playcanvas", "gltf"})
+    for (const std::string output : {"set", program == "babylon" ? "x.env" : program == "gltf" ? "x.glb" : "x.png"}) {
+      settings.file.program = program;
+      const auto saved = saveBakedSet(path(output), light(), settings, observer);
+      ASSERT_FALSE(saved) << output;
+      EXPECT_EQ(saved.error().code, ErrorCode::interrupted);
+      EXPECT_EQ(saved.error().message, "interrupted; nothing was written");
+    }
+  for (const std::string& file : older->paths) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(path("x.env")));
 }
 
 TEST_F(BakedSetTest, NegativeLightIsTakenAsNoneAndTold) {

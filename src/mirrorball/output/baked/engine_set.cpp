@@ -17,6 +17,9 @@ namespace {
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
 constexpr std::array<TexelFormat, 3> kOfThree{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
 
+/// Of PNGs of four bytes a texel, of all levels: they, what they are gathered in, and the file.
+constexpr int kBytesOfPictures = 3 * 4 * 4 / 3;
+
 /// docs/prefiltering.md and docs/engines.md have the sources.
 constexpr auto kEngineSets = std::to_array<EngineSet>({
     {.program = ""},
@@ -30,6 +33,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .format = TexelFormat::b10g11r11,
      .other_formats = kOfFilament,
      .smallest_face = 16,
+     .has_irradiance_cube = false,
      .needs_no_others = "Filament has a BRDF table of its own, looks reflections up once, and has irradiance from "
                         "harmonics of three bands"},
     {.program = "three",
@@ -38,6 +42,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .format = TexelFormat::uastc_hdr,
      .other_formats = kOfThree,
      .smallest_face = 8,
+     .has_irradiance_cube = false,
      .needs_no_others = "three.js has a BRDF table of its own, looks reflections up once, and finds irradiance in the "
                         "last level"},
     {.program = "babylon",
@@ -48,6 +53,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .needs_power_of_two = true,
      .beside = "dds",
      .pack = babylonEnvironment,
+     .pack_bytes = kBytesOfPictures,
      .needs_no_others = "Babylon.js has a BRDF table of its own, looks reflections up once, and finds the rest in its "
                         ".env file"},
     {.program = "playcanvas",
@@ -56,14 +62,17 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .extension = "png",
      .levels = kAtlasLevels,
      .pack = playcanvasAtlas,
+     .pack_bytes = 4 * 12 / 3 + 12 + 2,  // a chain of floats, a level of it, and its texels' solid angles
      .needs_no_others = "PlayCanvas needs no BRDF table, looks reflections up once, and finds the rest in its atlas"},
     {.program = "gltf",
      .mip_mapping = MipMapping::gltf,
      .files = SetFiles::packed,
      .extension = "glb",
      .takes_any_mapping = true,
+     .has_irradiance_cube = false,
      .needs_power_of_two = true,
      .pack = imageBasedLightGltf,
+     .pack_bytes = kBytesOfPictures,
      .needs_no_others = "EXT_lights_image_based of glTF has reflections and three bands of irradiance only"},
     {.program = "openexr", .extension = "exr"},
 });
@@ -78,12 +87,22 @@ Result<EngineSet> engineSetFor(std::string_view program, std::optional<MipMappin
   MIRRORBALL_TRY(preset, presetNamed(program));
   const auto* const row = findBy(kEngineSets, preset.name, &EngineSet::program);
   if (row == kEngineSets.end()) return kEngineSets.front();
-  const bool has_a_mapping = row->files == SetFiles::chain || row->files == SetFiles::packed;
-  return mip_mapping && has_a_mapping && !row->takes_any_mapping ? withOurFiles(*row) : *row;
+  const bool is_packed = row->files == SetFiles::packed;
+  const bool is_packed_so = is_packed && (row->takes_any_mapping || mip_mapping == row->mip_mapping);
+  const bool has_a_mapping = is_packed || row->files == SetFiles::chain;
+  return mip_mapping && has_a_mapping && !is_packed_so ? withOurFiles(*row) : *row;
 }
 
-int levelCountFor(const EngineSet& set, int size) {
+std::string_view programOfPacked(std::string_view extension) {
+  for (const EngineSet& set : kEngineSets)
+    if (set.files == SetFiles::packed && set.extension == extension) return set.program;
+  return "";
+}
+
+int levelCountFor(const EngineSet& set, MipMapping mip_mapping, int size) {
   if (set.levels > 0) return set.levels;
+  // Its roughness goes by the texels of a face, and reaches 1 in the smallest ones only.
+  if (mip_mapping == MipMapping::babylon) return maxLevels(size);
   int levels = 1;
   while (levels < maxLevels(size) && levelSide(size, levels) >= set.smallest_face) ++levels;
   // As cmgen has it: one level would leave all surfaces mirrors.

@@ -30,20 +30,27 @@ struct EngineSet {
   int smallest_face = 4;                            ///< of the chain [texels]
   int levels = 0;                                   ///< of the chain whatever its size; 0: by the smallest face
   bool takes_any_mapping = false;                   ///< its own files may have another mip mapping than `mip_mapping`
+  bool has_irradiance_cube = true;                  ///< as a file of its own or in the packed one
   bool needs_power_of_two = false;                  ///< of the chain's size
   std::string_view beside = {};                     ///< the extension of the chain's texture beside a packed file
   PackLight pack = nullptr;                         ///< makes the packed file
+  int pack_bytes = 0;                               ///< that it takes at most, its result included, a texel of level 0
   std::string_view needs_no_others = {};            ///< why it has no use for the maps of SetFiles::ours
 };
 
-/// mip_mapping   that was asked for. If it is not the program's own file that has it, the set is SetFiles::ours.
+/// mip_mapping   that was asked for. One that the program's packed file cannot have makes the set SetFiles::ours, as
+///               any does where it is SetFiles::chain.
 /// errors        usage: there is no such program
 Result<EngineSet> engineSetFor(std::string_view program, std::optional<MipMapping> mip_mapping);
 
+/// The program whose own file has that extension; "" if there is none.
+std::string_view programOfPacked(std::string_view extension);
+
 /// The number of levels of a chain whose settings leave it to the program.
 ///
-/// size     of level 0 [texels]
-int levelCountFor(const EngineSet& set, int size);
+/// mip_mapping   that the chain has
+/// size          of level 0 [texels]
+int levelCountFor(const EngineSet& set, MipMapping mip_mapping, int size);
 
 /// Refuses chains that the program's own file cannot have.
 ///

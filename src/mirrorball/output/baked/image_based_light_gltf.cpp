@@ -1,6 +1,8 @@
 #include "mirrorball/output/baked/image_based_light_gltf.h"
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -29,19 +31,16 @@ std::array<float, 9> signedFactors() {
 
 /// Appends all faces of the chain to a document and to its buffer.
 ///
+/// faces    as encodedCube returns them
 /// returns  the images' numbers, six for each level
-/// errors   too_large
-Result<GltfJson> appendFaces(const ImageSet& chain, GltfJson& document, Bytes& buffer) {
-  const ImageSet faces = arranged(chain, babylonArrangement());
+GltfJson appendFaces(std::span<const Bytes> faces, GltfJson& document, Bytes& buffer) {
   GltfJson numbers = GltfJson::array();
-  for (int level = 0; level < faces.levels(); ++level)
-    for (int face = 0; face < 6; ++face) {
-      MIRRORBALL_TRY(png, encodedPng(faces.at(level, face), rgbd()));
-      numbers[static_cast<std::size_t>(level)].push_back(document["images"].size());
-      document["images"].push_back({{"bufferView", document["bufferViews"].size()}, {"mimeType", "image/png"}});
-      document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", png.size()}});
-      buffer.insert(buffer.end(), png.begin(), png.end());
-    }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    numbers[i / 6].push_back(document["images"].size());
+    document["images"].push_back({{"bufferView", document["bufferViews"].size()}, {"mimeType", "image/png"}});
+    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", faces[i].size()}});
+    buffer.insert(buffer.end(), faces[i].begin(), faces[i].end());
+  }
   return numbers;
 }
 
@@ -58,7 +57,8 @@ std::array<glm::vec3, 9> irradianceCoefficients(const Harmonics& radiance) {
   return coefficients;
 }
 
-Result<PackedLight> imageBasedLightGltf(const BakedMaps& maps) {
+Result<PackedLight> imageBasedLightGltf(const BakedMaps& maps, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(faces, encodedCube(maps.specular, babylonArrangement(), rgbd(), progress));
   GltfJson document;
   document["asset"] = {{"version", "2.0"}, {"generator", "mirrorball"}};
   document["extensionsUsed"] = {kImageBasedLights};
@@ -68,8 +68,7 @@ Result<PackedLight> imageBasedLightGltf(const BakedMaps& maps) {
   GltfJson light{{"intensity", 1.0}, {"specularImageSize", maps.levels.front().size}};
   for (const glm::vec3 coefficient : irradianceCoefficients(maps.radiance))
     light["irradianceCoefficients"].push_back({coefficient.x, coefficient.y, coefficient.z});
-  MIRRORBALL_TRY(faces, appendFaces(maps.specular, document, buffer));
-  light["specularImages"] = faces;
+  light["specularImages"] = appendFaces(faces, document, buffer);
   document["buffers"].push_back({{"byteLength", buffer.size()}});
   document["extensions"][kImageBasedLights]["lights"].push_back(light);
   document["scene"] = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/format_registry.h"
 
 namespace mirrorball {
@@ -30,25 +31,54 @@ void encodeRgbp(glm::vec3 light, std::uint8_t* code) {
   code[3] = byteOf(a);
 }
 
+/// An image of light as bytes.
+///
+/// place    where each texel goes
+Image8 encodedAt(const SquareSymmetry& place, const Image& light, const LightCode& code) {
+  Image8 codes = Image8::withoutValues(light.width(), light.height(), 4);
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      const glm::vec3 texel = glm::max(rgbAt(light, x, y), 0.0f);
+      const float max = std::max({texel.x, texel.y, texel.z, code.brightest});
+      const glm::ivec2 to = place.from({x, y}, light.width());
+      code.encode(texel * (code.brightest / max), codes.texel(to.x, to.y));
+    }
+  return codes;
+}
+
 }  // namespace
 
 LightCode rgbd() { return {kBrightestRgbd, encodeRgbd}; }
 
 LightCode rgbp() { return {kBrightestRgbp, encodeRgbp}; }
 
-Image8 encoded(const Image& light, const LightCode& code) {
-  Image8 codes = Image8::withoutValues(light.width(), light.height(), 4);
-  for (int y = 0; y < light.height(); ++y)
-    for (int x = 0; x < light.width(); ++x) {
-      const glm::vec3 texel = glm::max(rgbAt(light, x, y), 0.0f);
-      const float max = std::max({texel.x, texel.y, texel.z, code.brightest});
-      code.encode(texel * (code.brightest / max), codes.texel(x, y));
-    }
-  return codes;
-}
+Image8 encoded(const Image& light, const LightCode& code) { return encodedAt({}, light, code); }
 
 Result<Bytes> encodedPng(const Image& light, const LightCode& code) {
   return encodePicture(ImageFormatId::png, encoded(light, code), {});
+}
+
+Result<std::vector<Bytes>> encodedCube(const ImageSet& cube, const CubeArrangement& arrangement, const LightCode& code,
+                                       const ProgressFunction& progress) {
+  const auto count = static_cast<std::size_t>(cube.levels()) * 6;
+  std::vector<Result<Bytes>> pngs(count, Bytes());
+  ProgressCounter counter(progress, count);
+  counter.advance(0);
+  parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !counter.stopped(); ++i) {
+      const FaceFrame& frame = arrangement.slots[i % 6];
+      const Image& face = cube.at(static_cast<int>(i / 6), static_cast<int>(frame.centre));
+      pngs[i] = encodePicture(ImageFormatId::png, encodedAt(faceFromImage(frame), face, code), {});
+      counter.advance();
+    }
+  });
+  MIRRORBALL_TRY_VOID(counter.result());
+  std::vector<Bytes> whole;
+  for (Result<Bytes>& png : pngs) {
+    if (!png) return tl::unexpected<Error>(png.error());
+    whole.push_back(std::move(*png));
+  }
+  return whole;
 }
 
 LostLight lostLight(const ImageSet& chain, const LightCode& code) {

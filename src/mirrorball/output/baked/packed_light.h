@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/glm.hpp>
 
 #include "mirrorball/bake/bake.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/environment/cube/cube_arrangement.h"
 #include "mirrorball/environment/file/light_limits.h"
 #include "mirrorball/image/image.h"
 
@@ -22,8 +25,9 @@ struct PackedLight {
 /// Makes such a file.
 ///
 /// maps     with the chain, an irradiance cube, and three bands of harmonics
-/// errors   too_large
-using PackLight = Result<PackedLight> (*)(const BakedMaps& maps);
+/// progress asked for each picture that goes into it
+/// errors   too_large; interrupted
+using PackLight = Result<PackedLight> (*)(const BakedMaps& maps, const ProgressFunction& progress);
 
 /// A way of keeping light in four bytes a texel, of which the fourth is a factor of the others.
 struct LightCode {
@@ -49,6 +53,15 @@ Image8 encoded(const Image& light, const LightCode& code);
 ///
 /// errors   too_large
 Result<Bytes> encodedPng(const Image& light, const LightCode& code);
+
+/// All images of a cube as such PNGs: level by level, the slots of an arrangement one after the other.
+///
+/// cube     three channels, by OpenGL's table
+/// errors   too_large; interrupted
+/// cost     some 100 ns a texel, on as many threads as there are images; codes and PNGs take 8 bytes a texel, of the
+///          images in work, beside those that are finished; the same bytes for any number of threads
+Result<std::vector<Bytes>> encodedCube(const ImageSet& cube, const CubeArrangement& arrangement, const LightCode& code,
+                                       const ProgressFunction& progress = {});
 
 /// What a code does not hold of a cube.
 LostLight lostLight(const ImageSet& chain, const LightCode& code);

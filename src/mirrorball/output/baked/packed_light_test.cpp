@@ -1,9 +1,13 @@
 #include "mirrorball/output/baked/packed_light.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "mirrorball/base/parallel_testing.h"
+#include "mirrorball/environment/cube/preset.h"
 
 namespace mirrorball {
 namespace {
@@ -75,6 +79,48 @@ TEST(LightCodes, TellWhichShareOfTheLightIsLost) {
   EXPECT_GT(before, 0.99);
   EXPECT_EQ(cube.at(0, 2).texel(3, 3)[0], 1e5f) << "asking changes nothing";
   EXPECT_GT(lostLight(cube, rgbp()).share(), before);
+}
+
+/// Two levels whose texels all differ.
+ImageSet cubeOfNumbers() {
+  ImageSet cube(2, 6);
+  float number = 0.0f;
+  for (int level = 0; level < 2; ++level)
+    for (int face = 0; face < 6; ++face) {
+      cube.at(level, face) = Image(8 >> level, 8 >> level, 3);
+      for (float& sample : cube.at(level, face).samples()) sample = number += 0.1f;
+    }
+  return cube;
+}
+
+TEST(EncodedCube, HasTheImagesOfAnArrangementLevelByLevel) {
+  const ImageSet cube = cubeOfNumbers();
+  for (const char* program : {"babylon", "unreal"}) {
+    const CubeArrangement arrangement = *presetNamed(program)->cube;
+    const ImageSet images = arranged(cube, arrangement);
+    const auto pngs = encodedCube(cube, arrangement, rgbd());
+    ASSERT_TRUE(pngs) << pngs.error().message;
+    ASSERT_EQ(pngs->size(), 12u);
+    for (int i = 0; i < 12; ++i)
+      EXPECT_EQ((*pngs)[std::size_t(i)], *encodedPng(images.at(i / 6, i % 6), rgbd())) << program << ", image " << i;
+    const testing::OneThread one;
+    EXPECT_EQ(*encodedCube(cube, arrangement, rgbd()), *pngs);
+  }
+}
+
+TEST(EncodedCube, AsksForEachImageAndStops) {
+  const ImageSet cube = cubeOfNumbers();
+  std::atomic<int> asked = 0;
+  ASSERT_TRUE(encodedCube(cube, {}, rgbd(), [&](std::size_t, std::size_t total) {
+    ++asked;
+    return total == 12;
+  }));
+  EXPECT_GE(asked, 12);
+  for (const std::size_t last : {0u, 1u, 7u}) {
+    const auto stopped = encodedCube(cube, {}, rgbd(), [last](std::size_t done, std::size_t) { return done < last; });
+    ASSERT_FALSE(stopped) << last;
+    EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  }
 }
 
 }  // namespace

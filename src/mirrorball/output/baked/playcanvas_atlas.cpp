@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "formula/constants.h"
+#include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/environment_map.h"
 
@@ -76,28 +77,53 @@ EnvironmentMap cubeOfLevel(const ImageSet& chain, int level) {
   return {Projection::cube, std::move(faces)};
 }
 
-/// How many samples along a texel's side see all texels of a cube's face: a face is a quarter of the panorama.
+/// How many samples along a texel's side see all texels of a cube's face: a face is a quarter of the panorama, and
+/// texels at its corners are smaller than in its middle.
 int samplesFor(const EnvironmentMap& cube, const AtlasPart& part) {
   return std::max(1, (2 * cube.size() + part.height / 2 - 1) / (part.height / 2));
 }
 
+/// The smallest level with four texels of a face along the side of a part's texel: what is finer costs more, and its
+/// mean is the same.
+int levelFor(const AtlasPart& part, int size) {
+  int level = 0;
+  while (levelSide(size, level + 1) >= 2 * part.height) ++level;
+  return level;
+}
+
+/// Fills the parts of the environment itself, each from a chain of its means.
+void fillShinyParts(const ImageSet& specular, Image& atlas, ProgressCounter& counter) {
+  const ImageSet means = mipChain(cubeOfLevel(specular, 0));
+  const int size = means.at(0, 0).width();
+  // The shader reads one level beyond the last of each, with a weight of 0.
+  for (int level = 0; level <= kAtlasLevels && !counter.stopped(); ++level) {
+    const AtlasPart part = shinyPart(level);
+    const EnvironmentMap cube = cubeOfLevel(means, levelFor(part, size));
+    fillPart(cube, part, samplesFor(cube, part), Interpolation::bilinear, atlas);
+    counter.advance();
+  }
+}
+
 }  // namespace
 
-Image atlasOf(const BakedMaps& maps) {
+Result<Image> atlasOf(const BakedMaps& maps, const ProgressFunction& progress) {
   Image atlas(kAtlasSide, kAtlasSide, 3);
-  const EnvironmentMap environment = cubeOfLevel(maps.specular, 0);
-  // The shader reads one level beyond the last of each, with a weight of 0.
-  for (int level = 0; level <= kAtlasLevels; ++level)
-    fillPart(environment, shinyPart(level), samplesFor(environment, shinyPart(level)), Interpolation::bilinear, atlas);
-  for (int level = 1; level <= kAtlasLevels; ++level)
+  ProgressCounter counter(progress, 2 * kAtlasLevels + 2);
+  counter.advance(0);
+  if (!counter.stopped()) fillShinyParts(maps.specular, atlas, counter);
+  for (int level = 1; level <= kAtlasLevels && !counter.stopped(); ++level) {
     fillPart(cubeOfLevel(maps.specular, std::min(level, kAtlasLevels - 1)), roughPart(level), 1, Interpolation::bicubic,
              atlas);
+    counter.advance();
+  }
+  MIRRORBALL_TRY_VOID(counter.result());
   fillPart(maps.irradiance, kAmbientPart, 1, Interpolation::bicubic, atlas);
   return atlas;
 }
 
-Result<PackedLight> playcanvasAtlas(const BakedMaps& maps) {
-  MIRRORBALL_TRY(png, encodedPng(atlasOf(maps), rgbp()));
+Result<PackedLight> playcanvasAtlas(const BakedMaps& maps, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(atlas, atlasOf(maps, progress));
+  MIRRORBALL_TRY(png, encodedPng(atlas, rgbp()));
   return PackedLight{std::move(png), lostLight(maps.specular, rgbp()), rgbp().brightest};
 }
 

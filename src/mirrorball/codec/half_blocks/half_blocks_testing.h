@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"

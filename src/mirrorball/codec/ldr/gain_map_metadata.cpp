@@ -160,7 +160,6 @@ Result<GainMap> readGainMapXmp(std::string_view xmp) {
     return fail(ErrorCode::unsupported, "has a gain map of version '" + excerpt(first("Version"), 20) +
                                             "'; save it as Ultra HDR with version 1.0");
   if (first("BaseRenditionIsHDR") == "True") return baseIsHdr();
-  GainMap map;
   MIRRORBALL_TRY(min_log2, numbersOf(properties, "GainMapMin", 0.0f));
   MIRRORBALL_TRY(max_log2, numbersOf(properties, "GainMapMax", kRequired));
   MIRRORBALL_TRY(gamma, numbersOf(properties, "Gamma", 1.0f));

@@ -23,10 +23,13 @@ struct Stratum {
   float perceptual_roughness;
 };
 
-Stratum stratumAt(Surface s, SurfacePoint point, int i) {
-  ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
-  vec2 inside = placeInStratum(i, gridRandom(sample_place).xy);
-  SurfacePoint part = stratumOf(point, inside, kReadOfStratum / float(kStrataAcross));
+// Two numbers for all strata of a sample.
+vec2 randomOfSample() {
+  return gridRandom(ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel))).xy;
+}
+
+Stratum stratumAt(Surface s, SurfacePoint point, int i, vec2 random) {
+  SurfacePoint part = stratumOf(point, placeInStratum(i, random), kReadOfStratum / float(kStrataAcross));
   vec3 n = detailedNormal(part, smoothNormal(part));
   return Stratum(part, facingNormal(seesFront() ? n : -n, point.ray),
                  widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)));
@@ -37,9 +40,10 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   Patch area = patchOf(dFdx(d), dFdy(d));
   float footprint = footprintOfStratum(point);
   if (!hidesBumps(s)) return lightOfRow(s, point, d, area);
+  vec2 random = randomOfSample();
   vec3 light = vec3(0.0);
   for (int i = 0; i < kStrata; ++i) {
-    Stratum part = stratumAt(s, point, i);
+    Stratum part = stratumAt(s, point, i, random);
     light += lightOfLobe(point.position, lookUpDirection(part.point, part.normal), part.perceptual_roughness,
                          footprint);
   }
@@ -49,9 +53,10 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
 vec3 reflectedSuns(Surface s, SurfacePoint point) {
   float footprint = footprintOfStratum(point);
   if (!kHasSuns || !hidesBumps(s)) return lightOfSuns(s, point);
+  vec2 random = randomOfSample();
   vec3 light = vec3(0.0);
   for (int i = 0; i < kStrata; ++i) {
-    Stratum part = stratumAt(s, point, i);
+    Stratum part = stratumAt(s, point, i, random);
     s.normal = part.normal;
     s.material.perceptual_roughness = part.perceptual_roughness;
     light += litBySuns(s, point.ray, suns_at_point, footprint);

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
@@ -31,8 +32,6 @@ std::optional<Primaries> primariesOf(int number) {
       return std::nullopt;
   }
 }
-
-float lightOfSrgb(float code) { return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f); }
 
 float lightOfRec709(float code) {
   return code < 0.081f ? code / 4.5f : std::pow((code + 0.099f) / 1.099f, 1.0f / 0.45f);
@@ -69,7 +68,7 @@ glm::vec3 displayOfHlg(glm::vec3 scene) {
 float lightOf(float code, const CodedColor& color) {
   switch (color.transfer) {
     case Transfer::srgb:
-      return lightOfSrgb(code);
+      return formula::linearFromSrgb1(code);
     case Transfer::rec709:
       return lightOfRec709(code);
     case Transfer::gamma:

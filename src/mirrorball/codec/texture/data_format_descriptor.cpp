@@ -16,7 +16,6 @@ constexpr std::size_t kSampleSize = 16;
 constexpr std::uint16_t kVersion = 2;  // KHR_DF_VERSIONNUMBER_1_3, which 1.4 keeps
 constexpr std::uint8_t kModelRgbsda = 1;
 constexpr std::uint8_t kModelBc6h = 133;
-constexpr std::uint8_t kModelUastcHdr = 167;  // Basis Universal's, to tell it from other ASTC (162)
 constexpr std::uint8_t kPrimariesBt709 = 1;
 constexpr std::uint8_t kTransferLinear = 1;
 constexpr std::uint8_t kTransferSrgb = 2;

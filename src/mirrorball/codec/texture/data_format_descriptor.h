@@ -11,6 +11,9 @@
 
 namespace mirrorball {
 
+/// The colour model of UASTC HDR 4x4: Basis Universal's, to tell it from other ASTC (162).
+inline constexpr std::uint8_t kModelUastcHdr = 167;
+
 /// What a descriptor says about colour.
 struct DescribedColor {
   int model = 1;  ///< 1: red, green, blue, alpha; 163, 166 and 167 are Basis Universal's

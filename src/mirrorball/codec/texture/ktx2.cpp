@@ -107,11 +107,10 @@ Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
 Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedColor& color) {
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
-  constexpr int kModelOfUastcHdr = 167;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
     return unsupportedTexture("Basis Universal block compression", kKtx2Instead);
   auto format = formatOfVulkan(header.vk_format);
-  if (header.vk_format == 0 && color.model == kModelOfUastcHdr) format = storedFormat(TexelFormat::uastc_hdr);
+  if (header.vk_format == 0 && color.model == kModelUastcHdr) format = storedFormat(TexelFormat::uastc_hdr);
   if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kKtx2Instead);
   if (header.scheme == kKtx2Zstandard) MIRRORBALL_TRY_VOID(checkZstandard());
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)

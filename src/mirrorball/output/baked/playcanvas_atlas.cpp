@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "formula/constants.h"
+#include "formula/projection.h"
 #include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/environment_map.h"
@@ -38,15 +38,6 @@ AtlasPart roughPart(int level) {
 /// Where ambient.js looks for irradiance / π.
 constexpr AtlasPart kAmbientPart{{128, 384}, 32};
 
-/// The direction at (u, v), also beyond the panorama's edges: around it, and over its poles down the other side.
-///
-/// from     PlayCanvas, spherical.js: u = ½ + atan(−x, z) / 2π, as our panoramas
-glm::vec3 directionBeyond(glm::vec2 uv) {
-  const float phi = 2.0f * formula::kPi * uv.x;
-  const float theta = formula::kPi * uv.y;
-  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
-}
-
 /// Fills a part with a cube's light.
 ///
 /// samples  that a texel is the mean of, along each side
@@ -61,7 +52,9 @@ void fillPart(const EnvironmentMap& cube, const AtlasPart& part, int samples, In
         for (int i = 0; i < samples * samples; ++i) {
           const glm::vec2 place((float(i % samples) + 0.5f) / float(samples),
                                 (float(i / samples) + 0.5f) / float(samples));
-          sum += cube.radiance(directionBeyond((glm::vec2(x - 1, y - 1) + place) / inside), interpolation);
+          // PlayCanvas' panoramas are ours (spherical.js). Beyond an edge the formula goes on around them and over poles.
+          const glm::vec2 uv = (glm::vec2(x - 1, y - 1) + place) / inside;
+          sum += cube.radiance(formula::equirectDirection(uv), interpolation);
         }
         const glm::vec3 light = sum / float(samples * samples);
         float* texel = atlas.texel(part.corner.x + x, part.corner.y + y);

@@ -102,10 +102,12 @@ class GlassFollower {
   std::vector<glm::mat3> world_from_normal_;
 };
 
-/// What of a picture a tent about a place covers.
+/// Adds light to the texels that a tent about a place covers.
 ///
-/// at   in texels
+/// at   in texels; a ray along the ground lands far beyond the picture
 void addLight(Image& picture, glm::vec2 at, glm::vec3 light) {
+  const glm::vec2 beyond(picture.width() + 1, picture.height() + 1);
+  if (!glm::all(glm::greaterThan(at, glm::vec2(-1.0f))) || !glm::all(glm::lessThan(at, beyond))) return;
   const glm::ivec2 first(glm::floor(at - 0.5f));
   const glm::vec2 part = at - 0.5f - glm::vec2(first);
   for (int i = 0; i < 4; ++i) {
@@ -120,8 +122,7 @@ void addLight(Image& picture, glm::vec2 at, glm::vec3 light) {
 /// Where a ray of a light begins that may meet the bodies: on a disc across it.
 Ray rayTowards(const BoundingSphere& bodies, glm::vec3 light, float beyond, glm::vec2 u) {
   const glm::vec3 across = formula::anyTangent(light);
-  const glm::vec2 beside =
-      bodies.radius * std::sqrt(u.x) * glm::vec2(std::cos(formula::kTwoPi * u.y), std::sin(formula::kTwoPi * u.y));
+  const glm::vec2 beside = bodies.radius * glm::vec2(formula::sampleDiffuse(u));  // even over a disc
   return {.origin = bodies.center + beyond * light + beside.x * across + beside.y * glm::cross(light, across),
           .direction = -light};
 }

@@ -52,7 +52,7 @@ void fillPart(const EnvironmentMap& cube, const AtlasPart& part, int samples, In
         for (int i = 0; i < samples * samples; ++i) {
           const glm::vec2 place((float(i % samples) + 0.5f) / float(samples),
                                 (float(i / samples) + 0.5f) / float(samples));
-          // PlayCanvas' panoramas are ours (spherical.js). Beyond an edge the formula goes on around them and over poles.
+          // PlayCanvas' panoramas are ours (spherical.js). Beyond edges the formula goes around them and over poles.
           const glm::vec2 uv = (glm::vec2(x - 1, y - 1) + place) / inside;
           sum += cube.radiance(formula::equirectDirection(uv), interpolation);
         }

@@ -1,8 +1,11 @@
 #include "mirrorball/render/stage/stage_work.h"
 
+#include <array>
+#include <mutex>
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/render/light/ground_caustics.h"
 #include "mirrorball/render/light/ground_shadow.h"
 #include "mirrorball/render/stage/stage_work_state.h"
@@ -22,7 +25,6 @@ namespace {
 // How much of the work each part is, of a thousand: the form's occlusion takes the longest by far.
 constexpr std::size_t kOfForm = 700;
 constexpr std::size_t kOfRow = 60;
-constexpr std::size_t kAll = kOfForm + 6 * kOfRow;
 
 using State = StageWork::State;
 
@@ -104,6 +106,11 @@ Result<void> makeCubes(State& state) {
   return {};
 }
 
+/// Of which none needs another.
+constexpr std::array<Result<void> (*)(State&), 6> kRows = {makePrisms, makeBodies,       makeTriangles,
+                                                           makeRays,   makeGroundShadow, makeCubes};
+constexpr std::size_t kAll = kOfForm + kRows.size() * kOfRow;
+
 }  // namespace
 
 bool StageWork::isNeeded() const {
@@ -116,14 +123,26 @@ Result<void> StageWork::run(const ProgressFunction& progress) {
   State& state = *state_;
   state.means.progress = partOf(progress, 0, kOfForm, kAll);
   MIRRORBALL_TRY_VOID(makeForm(state));
-  std::size_t done = kOfForm;
-  state.means.progress = [&](std::size_t, std::size_t) { return !progress || progress(done, kAll); };
-  for (const auto make : {makePrisms, makeBodies, makeTriangles, makeRays, makeGroundShadow, makeCubes}) {
-    if (progress && !progress(done, kAll)) return fail(ErrorCode::interrupted, "interrupted");
-    MIRRORBALL_TRY_VOID(make(state));
-    done += kOfRow;
-  }
-  if (progress && !progress(done, kAll)) return fail(ErrorCode::interrupted, "interrupted");
+  std::mutex telling;
+  std::size_t done = 0;
+  bool is_stopped = false;
+  const auto goesOn = [&](std::size_t rows) {
+    const std::lock_guard one_at_a_time(telling);
+    done += rows;
+    is_stopped = is_stopped || (progress && !progress(kOfForm + done * kOfRow, kAll));
+    return !is_stopped;
+  };
+  state.means.progress = [&](std::size_t, std::size_t) { return goesOn(0); };
+  std::array<Result<void>, kRows.size()> made;
+  // Most of a row's work is done by one thread.
+  parallelFor(kRows.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end && goesOn(0); ++row) {
+      made[row] = kRows[row](state);
+      goesOn(1);
+    }
+  });
+  for (Result<void>& row : made) MIRRORBALL_TRY_VOID(std::move(row));
+  if (is_stopped) return fail(ErrorCode::interrupted, "interrupted");
   return {};
 }
 

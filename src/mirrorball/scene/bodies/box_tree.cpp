@@ -18,8 +18,9 @@ namespace {
 constexpr int kBins = 16;
 /// What a visit of a node costs, in tests of items.
 constexpr float kCostOfNode = 1.0f;
-/// Below this many items, a subtree is not worth a thread.
-constexpr std::size_t kItemsOfTask = std::size_t{1} << 17;
+/// Below this many items, a subtree is not worth a thread; nor is one below a share of all, which bounds the threads.
+constexpr std::size_t kItemsOfTask = std::size_t{1} << 13;
+constexpr std::size_t kMostTasks = 32;
 
 /// Where items are cut in two: by the bin of their centre along an axis.
 struct Cut {
@@ -143,7 +144,7 @@ BoxTree::Child Subtree::build(std::span<std::uint32_t> items, int depth) {
   nodes_.emplace_back();
   const std::span<std::uint32_t> parts[2] = {items.first(first_part), items.subspan(first_part)};
   BoxTree::Child children[2];
-  if (items.size() >= kItemsOfTask) {
+  if (items.size() >= std::max(kItemsOfTask, all_.size() / kMostTasks)) {
     Subtree other(boxes_, all_, items_of_leaf_);
     auto second = std::async(besideOthers(), [&] { return other.build(parts[1], depth - 1); });
     children[0] = build(parts[0], depth - 1);

@@ -122,9 +122,8 @@ Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
     const std::array<std::string, 2> why{output + what + ", and ",
                                          " is for what lies beside it; name a folder, without an extension"};
     if (is_texture)
-      for (const OptionNames names :
-           {OptionNames(kOfOurMaps), OptionNames(kOfLobeRows), OptionNames(kOfIrradiance), OptionNames(kOfSkybox),
-            OptionNames(kOfNames)})
+      for (const OptionNames names : {OptionNames(kOfOurMaps), OptionNames(kOfLobeRows), OptionNames(kOfIrradiance),
+                                      OptionNames(kOfSkybox), OptionNames(kOfNames)})
         MIRRORBALL_TRY_VOID(refuseGiven(given, names, why));
     MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSplit, why));
     return refuseGiven(given, kOfLamps, why);

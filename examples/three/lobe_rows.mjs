@@ -1,8 +1,8 @@
 // Reflections that are right at every angle in three.js, version 187, with its WebGLRenderer. Copy this file.
 //
 // three.js looks a rough surface's reflection up once, in the middle of a lobe that it takes for round. With this file
-// it looks up a row of narrower lobes, as the table lobe_rows.ktx2 says, which `mirrorball bake room.hdr --for three -o
-// room/` writes beside the environment. How, and how exact that is: docs/lobe_rows.md and docs/engines.md of Mirrorball.
+// it looks up a row of narrower lobes. Which, says the table lobe_rows.ktx2 that `mirrorball bake room.hdr --for three
+// -o room/` writes beside the environment. More: docs/engines.md and docs/lobe_rows.md of Mirrorball.
 //
 // MIT License, copyright (c) 2026 The Mirrorball authors.
 
@@ -85,8 +85,7 @@ function withRows(fragmentShader, lobes) {
 /// returns   the texture, for any number of materials
 export async function loadLobeRows(url, renderer) {
   const loader = new KTX2Loader().detectSupport(renderer);
-  const rows = await loader.loadAsync(url);
-  loader.dispose();
+  const rows = await loader.loadAsync(url).finally(() => loader.dispose());
   rows.minFilter = LinearFilter;
   rows.magFilter = LinearFilter;
   return rows;

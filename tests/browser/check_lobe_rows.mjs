@@ -2,12 +2,12 @@
 //
 // Has three.js show balls by rows of lobes (MODULE, examples/three/lobe_rows.mjs), by the lines of the documentation
 // (PAGE), and by its own single look-up of the same map. Compares both with the sum over all texels of the environment
-// under the exact lobe, for n·v from 0.15 to 1. Exit code 1, and one line a fault, where the rows are not so near as they
-// should be, or the console has a warning.
+// under the exact lobe, for n·v from 0.15 to 1. Exit code 1, and one line a fault, where the rows are not so near as
+// they should be, or the console has a warning.
 
+import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { spawnSync } from 'node:child_process';
 
 import { openPage } from './browser_page.mjs';
 import { linesUnder } from './documented_lines.mjs';
@@ -65,7 +65,8 @@ function bake(map) {
 
 /// What the balls show of a map, by a module of lines from the documentation.
 async function seenIn(map, lines) {
-  const page = await openPage(browserPath, folder, 'engines.html', (text) => fail(`console: ${text}`), { warnings: true });
+  const tell = (text) => fail(`console: ${text}`);
+  const page = await openPage(browserPath, folder, 'engines.html', tell, { warnings: true });
   await page.waitForFunction(() => window.coloursIn);
   const seen = await page.evaluate((what) => window.coloursIn(...what),
     ['three.js', `/rows/${map}/specular.ktx2`, `/${lines}`, views]);
@@ -97,10 +98,34 @@ function compare({ surface, ...what }, roughness, own, rows) {
   if (after > mostOfOwn * before || after > mostError) fail(text);
 }
 
+/// What a material does to its shader stays, and materials that do different things have different programs.
+async function checkOwnChanges() {
+  const { MeshStandardMaterial, ShaderLib } = await import('three');
+  const { useLobeRows } = await import(join(folder, basename(module)));
+  const rows = { image: { width: 96, height: 24 } };
+  const material = new MeshStandardMaterial();
+  const other = new MeshStandardMaterial();
+  material.onBeforeCompile = (shader) => { shader.fragmentShader += '// ours'; };
+  other.onBeforeCompile = (shader) => { shader.fragmentShader = ''; };
+  for (const one of [material, material, other]) useLobeRows(one, rows);
+  if (material.customProgramCacheKey() === other.customProgramCacheKey()) fail('different shaders have one key');
+  const shader = { uniforms: {}, fragmentShader: ShaderLib.standard.fragmentShader };
+  material.onBeforeCompile(shader);
+  if (shader.fragmentShader.split('uniform sampler2D lobeRows;').length !== 2) fail('no rows, or two of them');
+  if (!shader.fragmentShader.endsWith('// ours')) fail('what a material does itself is lost');
+  try {
+    other.onBeforeCompile(shader);
+    fail('a shader without the part that rows replace is not told of');
+  } catch (error) {
+    if (!error.message.includes('the shader lacks "#include')) fail(`of a missing part: ${error.message}`);
+  }
+}
+
 mkdirSync(join(folder, 'rows'), { recursive: true });
 writeMaps(join(folder, 'light.pfm'), join(folder, 'white.pfm'));
 ['light', 'white'].forEach(bake);
 copyFileSync(module, join(folder, basename(module)));
+await checkOwnChanges();
 const ownLines = linesUnder(documentation, 'three.js');
 writeFileSync(join(folder, 'docs_own.mjs'), ownLines);
 writeFileSync(join(folder, 'docs_rows.mjs'), ownLines + linesUnder(documentation, 'Rows of lobes in three.js'));

@@ -103,8 +103,8 @@ export function exactLobe(texels, normal, toEye, roughness) {
   return { all, rising };
 }
 
-/// What a surface shows as a share of what it shows of even light. Light that facets reflect several times is diffuse, as
-/// three.js has it (Fdez-Agüera 2019).
+/// What a surface shows, as a share of what it shows of even light. Light that facets reflect several times is diffuse,
+/// as three.js has it (Fdez-Agüera 2019).
 ///
 /// lobe         by exactLobe
 /// irradiance   over π

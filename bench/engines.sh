@@ -17,7 +17,8 @@ chromium=$(command -v chromium) || {
 }
 
 sh "$root/tests/npm_packages.sh" "$root/tests/browser" "$scratch"
-cp "$root"/tests/browser/*.mjs "$root/tests/browser/engines.html" "$root"/bench/engines/* "$scratch/"
+cp "$root"/tests/browser/*.mjs "$root/tests/browser/engines.html" "$root"/bench/engines/* \
+  "$root/examples/three/lobe_rows.mjs" "$scratch/"
 sed -n '/<script type="importmap">/,/<\/script>/p' "$root/tests/browser/engines.html" >"$scratch/imports"
 sed "/<!-- imports -->/r $scratch/imports" "$root/bench/engines/balls.html" >"$scratch/balls.html"
 node "$scratch/compare_engines.mjs" "$program" "$chromium" "$scratch" "$root/docs/engines.md" "$@"

@@ -78,8 +78,9 @@ Result<void> refuseGiven(const GivenOptions& given, OptionNames names, const std
 }
 
 // Options by what they say something about.
-constexpr std::array<std::string_view, 6> kOfOurMaps{"sh-degree", "brdf-size",      "brdf-channels",
-                                                     "brdf-axes", "brdf-extension", "lobe-rows"};
+constexpr std::array<std::string_view, 5> kOfOurMaps{"sh-degree", "brdf-size", "brdf-channels", "brdf-axes",
+                                                     "brdf-extension"};
+constexpr std::array<std::string_view, 1> kOfLobeRows{"lobe-rows"};
 constexpr std::array<std::string_view, 1> kOfIrradiance{"irradiance-size"};
 constexpr std::array<std::string_view, 2> kOfSkybox{"skybox", "skybox-size"};
 constexpr std::array<std::string_view, 1> kOfNames{"extension"};
@@ -94,6 +95,8 @@ Result<void> refuseUnread(const BakeRequest& request, const EngineSet& set) {
   const GivenOptions& given = request.given;
   const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
   if (set.files != SetFiles::ours) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfOurMaps, has_no_use));
+  if (set.files != SetFiles::ours && set.files != SetFiles::chain)
+    MIRRORBALL_TRY_VOID(refuseGiven(given, kOfLobeRows, has_no_use));
   if (!set.has_irradiance_cube) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfIrradiance, has_no_use));
   if (set.files != SetFiles::packed) return {};
   MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSkybox, has_no_use));
@@ -119,8 +122,8 @@ Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
     const std::array<std::string, 2> why{output + what + ", and ",
                                          " is for what lies beside it; name a folder, without an extension"};
     if (is_texture)
-      for (const OptionNames names :
-           {OptionNames(kOfOurMaps), OptionNames(kOfIrradiance), OptionNames(kOfSkybox), OptionNames(kOfNames)})
+      for (const OptionNames names : {OptionNames(kOfOurMaps), OptionNames(kOfLobeRows), OptionNames(kOfIrradiance),
+                                      OptionNames(kOfSkybox), OptionNames(kOfNames)})
         MIRRORBALL_TRY_VOID(refuseGiven(given, names, why));
     MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSplit, why));
     return refuseGiven(given, kOfLamps, why);

@@ -34,6 +34,7 @@ const inOtherFormat = { ...ofThree, heading: 'Half floats in three.js', isBeside
 const ways = [
   { name: 'three.js, own', engine: 'three.js', own: 'three' },
   { name: 'three.js, ours', ...ofThree, bake: 'three' },
+  { name: 'ours, rows', ...ofThree, more: ['Rows of lobes in three.js'], isInPicturesOnly: true, bake: 'three' },
   { name: '512²', ...ofThree, isBesideOnly: true, bake: 'three --size 512' },
   { name: 'half', ...inOtherFormat, bake: 'three --format half' },
   { name: 'bc6h', ...inOtherFormat, bake: 'three --format bc6h' },
@@ -52,14 +53,15 @@ function run(words) {
 /// Makes what an engine loads.
 ///
 /// returns  its address, and that of the lines that load it
-function prepared({ engine, heading, own, bake, file }, environment) {
+function prepared({ engine, heading, more, own, bake, file }, environment) {
   if (own) {
     run(['convert', environment, '--to', 'equirect', '--for', own, '-o', 'own.hdr']);
     return ['/own.hdr', `/own_${own}.mjs`];
   }
   run(['bake', environment, '--for', ...bake.split(' '), '-o', 'baked/']);
-  const lines = `docs_${heading ?? engine}.mjs`;
-  writeFileSync(join(folder, lines), linesUnder(documentation, heading ?? engine));
+  const headings = [heading ?? engine, ...more ?? []];
+  const lines = `docs_${headings.join(', ')}.mjs`;
+  writeFileSync(join(folder, lines), headings.map((one) => linesUnder(documentation, one)).join(''));
   return [`/baked/${file}`, `/${lines}`];
 }
 
@@ -123,7 +125,7 @@ async function comparePictures(panorama) {
 async function compareColors(panorama, whites) {
   const exact = exactColors(run, folder, panorama, views);
   const rows = [];
-  for (const way of ways)
+  for (const way of ways.filter(({ isInPicturesOnly }) => !isInPicturesOnly))
     rows.push({ name: way.name, errors: errorsOfColors(await colorsBy(way, panorama), whites.get(way.engine), exact) });
   return rows;
 }

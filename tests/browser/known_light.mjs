@@ -72,6 +72,54 @@ function meanAround(texels, direction, lobe) {
   return sum.map((radiance) => radiance / weights);
 }
 
+/// What facets reflect that a rough surface shows at some angle: GGX with Smith's masking and shadowing, correlated by
+/// height.
+///
+/// normal, toEye   unit
+/// returns         the shares of light from all around, `white`, and the `light` of the texels: of facets that reflect
+///                 all, and of those that reflect by Schlick's term alone
+export function exactLobe(texels, normal, toEye, roughness) {
+  const alpha2 = roughness ** 4;
+  const nv = dot(normal, toEye);
+  const ofEye = Math.sqrt(alpha2 + (1 - alpha2) * nv * nv);
+  const all = { white: 0, light: [0, 0, 0] };
+  const rising = { white: 0, light: [0, 0, 0] };
+  for (const { d, solidAngle, light } of texels) {
+    const nl = dot(normal, d);
+    if (nl <= 0) continue;
+    const vh = Math.sqrt((1 + dot(d, toEye)) / 2);
+    const nh = (nl + nv) / (2 * vh);
+    const facets = alpha2 / (Math.PI * (nh * nh * (alpha2 - 1) + 1) ** 2);
+    const ofLight = Math.sqrt(alpha2 + (1 - alpha2) * nl * nl);
+    const share = (solidAngle * facets * 0.5 * nl) / (nl * ofEye + nv * ofLight);
+    const risen = share * (1 - vh) ** 5;
+    all.white += share;
+    rising.white += risen;
+    light.forEach((radiance, c) => {
+      all.light[c] += share * radiance;
+      rising.light[c] += risen * radiance;
+    });
+  }
+  return { all, rising };
+}
+
+/// What a surface shows, as a share of what it shows of even light. Light that facets reflect several times is diffuse,
+/// as three.js has it (Fdez-Agüera 2019).
+///
+/// lobe         by exactLobe
+/// irradiance   over π
+/// f0           reflectance at normal incidence
+/// isCoat       nothing is reflected several times
+export function exactReflection({ all, rising }, irradiance, { f0, isCoat }) {
+  const single = (everywhere, atAngles) => f0 * everywhere + (1 - f0) * atAngles;
+  const ofWhite = single(all.white, rising.white);
+  const mean = f0 + (1 - f0) / 21;
+  const missing = 1 - all.white;
+  const several = isCoat ? 0 : (missing * ofWhite * mean) / (1 - missing * mean);
+  return irradiance.map((around, c) =>
+    (single(all.light[c], rising.light[c]) + several * around) / (ofWhite + several));
+}
+
 /// What a rough metal shows that is seen along its normal: GGX with n = v (docs/prefiltering.md). Roughness 1 is what a
 /// matt white surface shows.
 export function exactMean(texels, direction, roughness) {

@@ -20,7 +20,7 @@ class BakeEnginesTest : public CliTest {};
 
 TEST_F(BakeEnginesTest, ThreeGetsAChainThatEndsAt8) {
   succeed("bake white --for three -o out");
-  EXPECT_THAT(files(), ElementsAre("out/", "out/manifest.json", "out/specular.ktx2"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/lobe_rows.ktx2", "out/manifest.json", "out/specular.ktx2"));
   const ImageSet levels = texture("out/specular.ktx2");
   ASSERT_EQ(levels.levels(), 6);
   EXPECT_EQ(levels.at(5, 0).width(), 8);
@@ -39,6 +39,22 @@ TEST_F(BakeEnginesTest, ThreesFormatIsThatOfItsLoader) {
   EXPECT_EQ(jsonIn("halves/manifest.json")["specular"]["format"], "r16g16b16a16 sfloat");
 }
 
+// As text they are for programs that read no KTX2.
+TEST_F(BakeEnginesTest, ThreesRowsOfLobesAreATextureAlone) {
+  succeed("bake white --for three --size 16 -o out");
+  EXPECT_THAT(succeed("info out/lobe_rows.ktx2"), HasSubstr("r16g16b16a16 sfloat"));
+  EXPECT_EQ(jsonIn("out/manifest.json")["lobe_rows"]["lobes"], 4);
+  EXPECT_FALSE(jsonIn("out/manifest.json")["lobe_rows"].contains("json"));
+  succeed("bake white --for three --size 16 --lobe-rows 2 -o out");
+  EXPECT_EQ(jsonIn("out/manifest.json")["lobe_rows"]["lobes"], 2);
+  for (const std::string option : {"--lobe-rows 0", "--distribution phong"}) {
+    succeed("bake white --for three --size 16 " + option + " -o out");
+    EXPECT_THAT(files(), ElementsAre("out/", "out/manifest.json", "out/specular.ktx2")) << option;
+  }
+  EXPECT_THAT(refuse(2, "bake white --for three --lobe-rows 4 -o out.ktx2"), HasSubstr("specular chain only"));
+  EXPECT_THAT(refuse(2, "bake white --for playcanvas --lobe-rows 4 -o out"), HasSubstr("looks reflections up once"));
+}
+
 TEST_F(BakeEnginesTest, LightThatThreesFormatDoesNotHoldIsTold) {
   Image map(32, 16, 3, 1e5f);
   write("bright.exr", map);
@@ -50,7 +66,8 @@ TEST_F(BakeEnginesTest, LightThatThreesFormatDoesNotHoldIsTold) {
 
 TEST_F(BakeEnginesTest, ThreesBackgroundIsWrittenIfItIsAskedFor) {
   succeed("bake white --for three --size 16 --skybox-size 8 --format bc6h -o out");
-  EXPECT_THAT(files(), ElementsAre("out/", "out/manifest.json", "out/skybox.ktx2", "out/specular.ktx2"));
+  EXPECT_THAT(files(),
+              ElementsAre("out/", "out/lobe_rows.ktx2", "out/manifest.json", "out/skybox.ktx2", "out/specular.ktx2"));
   EXPECT_THAT(refuse(2, "bake white --for three --brdf-size 8 -o out"), HasSubstr("three.js has a BRDF table"));
   EXPECT_THAT(refuse(2, "bake white --for three --format e5b9g9r9 -o out"),
               HasSubstr("three reads uastc_hdr, half, float32"));

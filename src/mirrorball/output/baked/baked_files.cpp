@@ -71,7 +71,7 @@ std::string nameOfFolder(const std::string& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-/// The files of irradiance and of the tables, which a program may have none of.
+/// The files of irradiance and of the BRDF table, which a program may have none of.
 Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view extension, const Observer& observer,
                          BakedFiles& files) {
   MIRRORBALL_TRY(irradiance,
@@ -81,8 +81,13 @@ Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view exte
   const std::string brdf = settings.brdf_extension.empty() ? std::string(usual) : settings.brdf_extension;
   MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, bakedBrdfExtensions()));
   files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, settings);
+  return {};
+}
+
+Result<void> addLobeRows(const BakedSetSettings& settings, BakedFiles& files) {
   MIRRORBALL_TRY(lobes, lobesOf(settings));
-  if (lobes > 0) files.lobe_rows = LobeRowFiles{files.folder, lobes, settings.file.zstandard_level};
+  const bool has_text = files.set.files == SetFiles::ours;
+  if (lobes > 0) files.lobe_rows = LobeRowFiles{files.folder, lobes, settings.file.zstandard_level, has_text};
   return {};
 }
 
@@ -113,6 +118,7 @@ Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettin
   }
   if (settings.split) files.lamps = lampFilesFor(folder + "/" + kLampStem, settings.file.program);
   if (set.files == SetFiles::ours) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
+  if (set.files == SetFiles::ours || set.files == SetFiles::chain) MIRRORBALL_TRY_VOID(addLobeRows(settings, files));
   return files;
 }
 
@@ -159,7 +165,8 @@ std::vector<std::string> BakedFiles::paths() const {
   if (skybox) add(skybox->paths());
   if (brdf) add({brdf->path});
   add(lamps);
-  if (lobe_rows) add({lobe_rows->texture(), lobe_rows->text()});
+  if (lobe_rows) add({lobe_rows->texture()});
+  if (lobe_rows && lobe_rows->has_text) add({lobe_rows->text()});
   if (set.files == SetFiles::cmgens) add({folder + "/sh.txt"});
   if (set.files == SetFiles::ours) add({folder + "/sh.json", folder + "/sh.h"});
   add({folder + "/manifest.json"});

@@ -108,9 +108,9 @@ Json brdfJson(const BrdfFile& file, const BakedSetSettings& settings) {
 }
 
 Json lobeRowsJson(const LobeRowFiles& files) {
-  Json json{{"file", LobeRowFiles::kTextureName},
-            {"json", LobeRowFiles::kTextName},
-            {"format", nameOf(storedFormat(TexelFormat::half))}};
+  Json json{{"file", LobeRowFiles::kTextureName}};
+  if (files.has_text) json["json"] = LobeRowFiles::kTextName;
+  json["format"] = nameOf(storedFormat(TexelFormat::half));
   json.update(lobeRowFacts(files.lobes));
   return json;
 }

@@ -181,7 +181,7 @@ class SetWriter {
     MIRRORBALL_TRY(rows, lobeRowTable(files->lobes));
     MIRRORBALL_TRY_VOID(ofSet(writeLobeRows(rows, *files)));
     observer_.tellWritten(files->texture());
-    return writeText(LobeRowFiles::kTextName, lobeRowText(rows));
+    return files->has_text ? writeText(LobeRowFiles::kTextName, lobeRowText(rows)) : Result<void>();
   }
 
   Result<void> writeLampFile(const std::string& path, const std::vector<MapLamp>& lamps) {

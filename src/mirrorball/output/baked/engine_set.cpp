@@ -43,8 +43,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .other_formats = kOfThree,
      .smallest_face = 8,
      .has_irradiance_cube = false,
-     .needs_no_others = "three.js has a BRDF table of its own, looks reflections up once, and finds irradiance in the "
-                        "last level"},
+     .needs_no_others = "three.js has a BRDF table of its own, and finds irradiance in the last level"},
     {.program = "babylon",
      .mip_mapping = MipMapping::babylon,
      .files = SetFiles::packed,

@@ -15,7 +15,7 @@ namespace mirrorball {
 enum class SetFiles {
   ours,    ///< mip chain, irradiance, BRDF table, lobe rows, sh.json, sh.h; a skybox if it is asked for
   cmgens,  ///< as Filament's cmgen deploys it: FOLDER_ibl, which has the harmonics too, FOLDER_skybox and sh.txt
-  chain,   ///< the mip chain, which has the irradiance in its last level; a skybox if it is asked for
+  chain,   ///< the mip chain, which has the irradiance in its last level, and lobe rows; a skybox if it is asked for
   packed,  ///< one file of the program's own kind, which has all in it; the chain beside it where EngineSet::beside is
 };
 

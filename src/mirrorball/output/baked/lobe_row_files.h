@@ -12,11 +12,12 @@
 namespace mirrorball {
 
 /// Where the rows of lobes of a set go: a texture of half floats, which hold the table as it is, and the same numbers
-/// as text.
+/// as text, for programs that read no such textures.
 struct LobeRowFiles {
   std::string folder;
   int lobes = 4;  ///< 2, 4 or 6
   int zstandard_level = 0;
+  bool has_text = true;
 
   static constexpr const char* kTextureName = "lobe_rows.ktx2";
   static constexpr const char* kTextName = "lobe_rows.json";

@@ -1,6 +1,6 @@
-// usage: node compare_engines.mjs PROGRAM CHROMIUM FOLDER PAGE PANORAMA.hdr…
+// usage: node compare_engines.mjs PROGRAM CHROMIUM FOLDER DOCUMENTATION PANORAMA.hdr…
 //
-// What engines.sh does once npm's packages are there. PAGE is the documentation whose lines load what we baked.
+// What engines.sh does once npm's packages are there. The lines of DOCUMENTATION's pages load what we baked.
 
 import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
@@ -42,6 +42,8 @@ const ways = [
   { name: 'ours, .dds', engine: 'Babylon.js', bake: 'babylon', file: 'environment.dds' },
   { name: 'PlayCanvas, own', engine: 'PlayCanvas', own: 'playcanvas' },
   { name: 'PlayCanvas, ours', engine: 'PlayCanvas', bake: 'playcanvas', file: 'environment.png' },
+  { name: 'Filament, ours', engine: 'Filament', bake: 'filament', file: 'baked_ibl.ktx', page: 'engines/filament.md',
+    heading: 'In a browser' },
 ];
 
 function run(words) {
@@ -52,14 +54,14 @@ function run(words) {
 /// Makes what an engine loads.
 ///
 /// returns  its address, and that of the lines that load it
-function prepared({ engine, heading, own, bake, file }, environment) {
+function prepared({ engine, page, heading, own, bake, file }, environment) {
   if (own) {
     run(['convert', environment, '--to', 'equirect', '--for', own, '-o', 'own.hdr']);
     return ['/own.hdr', `/own_${own}.mjs`];
   }
   run(['bake', environment, '--for', ...bake.split(' '), '-o', 'baked/']);
   const lines = `docs_${heading ?? engine}.mjs`;
-  writeFileSync(join(folder, lines), linesUnder(documentation, heading ?? engine));
+  writeFileSync(join(folder, lines), linesUnder(join(documentation, page ?? 'engines.md'), heading ?? engine));
   return [`/baked/${file}`, `/${lines}`];
 }
 
@@ -128,6 +130,7 @@ async function compareColors(panorama, whites) {
   return rows;
 }
 
+run(['export', 'sphere', '-o', 'ball.glb']);
 const whites = new Map();
 for (const way of ways.filter(({ bake }) => bake))
   if (!whites.has(way.engine)) whites.set(way.engine, await colorsBy(way, 'white'));

@@ -1,10 +1,10 @@
 #!/bin/sh
-# usage: bench/engines.sh PROGRAM SCRATCH PANORAMA.hdr…
+# usage: bench/engines.sh PROGRAM SCRATCH [MODEL.glb…] PANORAMA.hdr…
 #
-# Shows balls of metal and of plastic in web engines: once in an environment that the engine filters by itself, and once
-# in what `bake --for` wrote. Compares both with the path tracer's pictures. Writes SCRATCH/engines.md, a table of
-# errors, and SCRATCH/engines.html, a page of the pictures. Needs Node, npm with its registry, and Chromium, as the test
-# Browser.EnginesShowTheLightThatWasBaked does, whose packages are taken. SCRATCH keeps them, and gets the files.
+# Shows balls of metal and of plastic, and models, in web engines: once in an environment that the engine filters by
+# itself, and once in what `bake --for` wrote. Compares both with the path tracer's pictures. Writes SCRATCH/engines.md, a
+# table of errors, and SCRATCH/engines.html, a page of the pictures. Needs Node, npm with its registry, and Chromium, as
+# the test Browser.EnginesShowTheLightThatWasBaked does, whose packages are taken. SCRATCH keeps them, and gets the files.
 set -eu
 program=$(realpath -- "$1")
 mkdir -p -- "$2"
@@ -20,5 +20,7 @@ sh "$root/tests/npm_packages.sh" "$root/tests/browser" "$scratch"
 cp "$root"/tests/browser/*.mjs "$root/tests/browser/engines.html" "$root"/bench/engines/* \
   "$root/examples/three/lobe_rows.mjs" "$scratch/"
 sed -n '/<script type="importmap">/,/<\/script>/p' "$root/tests/browser/engines.html" >"$scratch/imports"
-sed "/<!-- imports -->/r $scratch/imports" "$root/bench/engines/balls.html" >"$scratch/balls.html"
-node "$scratch/compare_engines.mjs" "$program" "$chromium" "$scratch" "$root/docs/engines.md" "$@"
+for page in balls models; do
+  sed "/<!-- imports -->/r $scratch/imports" "$root/bench/engines/$page.html" >"$scratch/$page.html"
+done
+node "$scratch/compare_engines.mjs" "$program" "$chromium" "$scratch" "$root/docs" "$@"

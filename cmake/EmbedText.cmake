@@ -16,7 +16,7 @@ foreach(file IN LISTS files)
   endif()
   list(APPEND names "${name}")
   file(READ "${file}" text)
-  string(APPEND entries "    {\"${name}\", R\"mirrorball(${text})mirrorball\"},\n")
+  string(APPEND entries "    {\"${name}\", R\"mirrorball(${text})mirrorball\"sv},\n")
 endforeach()
 
 string(CONFIGURE [=[
@@ -25,6 +25,9 @@ string(CONFIGURE [=[
 
 namespace mirrorball {
 namespace {
+
+// Compilers would count the letters of the texts, and some give up.
+using std::string_view_literals::operator""sv;
 
 struct EmbeddedText {
   std::string_view name;

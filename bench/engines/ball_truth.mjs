@@ -12,14 +12,17 @@ import { exactMean, panoramaTexels } from './known_light.mjs';
 const samples = 256;
 const panoramaHeight = 512;
 
-/// The red, green and blue of an .exr, from the lowest row.
-function colorsOf(path) {
+/// An .exr, from the lowest row: its samples, and how many a pixel has.
+export function readExr(path) {
   const file = readFileSync(path);
   const bytes = file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength);
   const { data, width, height } = new EXRLoader().setDataType(FloatType).parse(bytes);
-  const channels = data.length / (width * height);
-  return Array.from({ length: 3 * width * height }, (_, i) => data[channels * Math.floor(i / 3) + (i % 3)]);
+  return { data, channels: data.length / (width * height), pixels: width * height };
 }
+
+/// Its red, green and blue.
+export const colorsOf = ({ data, channels, pixels }) =>
+  Array.from({ length: 3 * pixels }, (_, i) => data[channels * Math.floor(i / 3) + (i % 3)]);
 
 /// The path tracer's picture of a ball, from the lowest row.
 ///
@@ -30,7 +33,7 @@ export function tracedPicture(run, folder, environment, { metallic, albedo, roug
     `0,0,${distance}`, '--target', '0,0,0', '--fov', `${fieldOfView_deg}`, '--size', `${side_px}x${side_px}`,
     '--samples', `${samples}`, '--set', `metallic=${metallic}`, '--set', `base_color=${albedo}`, '--set',
     `perceptual_roughness=${roughness}`, '--set', 'fresnel=schlick', '-o', path]);
-  return colorsOf(path);
+  return colorsOf(readExr(path));
 }
 
 /// The exact colours of a ball that is seen along its normal, all in one list.
@@ -39,7 +42,7 @@ export function tracedPicture(run, folder, environment, { metallic, albedo, roug
 export function exactColors(run, folder, environment, views) {
   const path = join(folder, 'panorama.exr');
   run(['convert', environment, '--to', 'equirect', '--size', `${panoramaHeight}`, '-o', path]);
-  const colors = colorsOf(path);
+  const colors = colorsOf(readExr(path));
   const width = 2 * panoramaHeight;
   const texels = panoramaTexels(width, panoramaHeight, (_, i) => {
     const at = 3 * ((panoramaHeight - 1 - Math.floor(i / width)) * width + (i % width));

@@ -5,17 +5,18 @@ export const distance = 6;
 export const fieldOfView_deg = 20;
 
 /// Engines draw more pixels, which are averaged as the path tracer averages over a pixel.
-const oversampling = 4;
+export const oversampling = 4;
 export const drawnSide_px = oversampling * side_px;
 
 /// The means over a pixel, of RGBA.
-export function shrunk(drawn) {
-  const picture = new Array(3 * side_px * side_px).fill(0);
-  for (let y = 0; y < drawnSide_px; ++y)
-    for (let x = 0; x < drawnSide_px; ++x) {
-      const pixel = Math.floor(y / oversampling) * side_px + Math.floor(x / oversampling);
+export function shrunk(drawn, width_px, height_px) {
+  const picture = new Array(3 * width_px * height_px).fill(0);
+  const drawnWidth_px = oversampling * width_px;
+  for (let y = 0; y < oversampling * height_px; ++y)
+    for (let x = 0; x < drawnWidth_px; ++x) {
+      const pixel = Math.floor(y / oversampling) * width_px + Math.floor(x / oversampling);
       for (let c = 0; c < 3; ++c)
-        picture[3 * pixel + c] += drawn[4 * (y * drawnSide_px + x) + c] / oversampling ** 2;
+        picture[3 * pixel + c] += drawn[4 * (y * drawnWidth_px + x) + c] / oversampling ** 2;
     }
   return picture;
 }

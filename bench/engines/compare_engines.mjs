@@ -1,19 +1,22 @@
-// usage: node compare_engines.mjs PROGRAM CHROMIUM FOLDER PAGE PANORAMA.hdr…
+// usage: node compare_engines.mjs PROGRAM CHROMIUM FOLDER DOCUMENTATION [MODEL.glb…] PANORAMA.hdr…
 //
-// What engines.sh does once npm's packages are there. PAGE is the documentation whose lines load what we baked.
+// What engines.sh does once npm's packages are there. The lines of DOCUMENTATION's pages load what we baked.
 
 import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 
-import { pageOf } from './ball_page.mjs';
+import { displayed, pageOf } from './ball_page.mjs';
 import { exactColors, tracedPicture } from './ball_truth.mjs';
 import { isOnBall, side_px } from './ball_view.mjs';
 import { openPage } from './browser_page.mjs';
 import { linesUnder } from './documented_lines.mjs';
+import { exportModel, tracedModel } from './model_truth.mjs';
 
 const [program, browserPath, folder, documentation, ...named] = process.argv.slice(2);
-const panoramas = named.map((path) => resolve(path));
+const isModel = (path) => /\.gl(tf|b)$/.test(path);
+const panoramas = named.filter((path) => !isModel(path)).map((path) => resolve(path));
+const models = named.filter(isModel).map((path) => resolve(path));
 
 const roughnesses = [0, 0.1, 0.25, 0.5, 0.75, 1];
 const balls = [{ material: 'metal', metallic: 1, albedo: 1 }, { material: 'plastic', metallic: 0, albedo: 0.5 }]
@@ -43,6 +46,8 @@ const ways = [
   { name: 'ours, .dds', engine: 'Babylon.js', bake: 'babylon', file: 'environment.dds' },
   { name: 'PlayCanvas, own', engine: 'PlayCanvas', own: 'playcanvas' },
   { name: 'PlayCanvas, ours', engine: 'PlayCanvas', bake: 'playcanvas', file: 'environment.png' },
+  { name: 'Filament, ours', engine: 'Filament', bake: 'filament', file: 'baked_ibl.ktx', page: 'engines/filament.md',
+    heading: 'In a browser' },
 ];
 
 function run(words) {
@@ -53,7 +58,7 @@ function run(words) {
 /// Makes what an engine loads.
 ///
 /// returns  its address, and that of the lines that load it
-function prepared({ engine, heading, more, own, bake, file }, environment) {
+function prepared({ engine, page, heading, more, own, bake, file }, environment) {
   if (own) {
     run(['convert', environment, '--to', 'equirect', '--for', own, '-o', 'own.hdr']);
     return ['/own.hdr', `/own_${own}.mjs`];
@@ -61,7 +66,8 @@ function prepared({ engine, heading, more, own, bake, file }, environment) {
   run(['bake', environment, '--for', ...bake.split(' '), '-o', 'baked/']);
   const headings = [heading ?? engine, ...more ?? []];
   const lines = `docs_${headings.join(', ')}.mjs`;
-  writeFileSync(join(folder, lines), headings.map((one) => linesUnder(documentation, one)).join(''));
+  const text = headings.map((one) => linesUnder(join(documentation, page ?? 'engines.md'), one)).join('');
+  writeFileSync(join(folder, lines), text);
   return [`/baked/${file}`, `/${lines}`];
 }
 
@@ -130,6 +136,27 @@ async function compareColors(panorama, whites) {
   return rows;
 }
 
+/// A model by the path tracer and by the engines: pictures, and how far they are from the first, as displayed, where it
+/// shows the model only. Nine tenths of that are exposed to below 1.
+async function compareModel(model, panorama) {
+  const seen = exportModel(run, folder, model);
+  const { colors, isModel: shows, width_px, height_px } = tracedModel(run, folder, panorama);
+  const onModel = (picture) => picture.filter((_, i) => shows[Math.floor(i / 3)]);
+  const sorted = onModel(colors).sort((a, b) => a - b);
+  const exposure = 1 / sorted[Math.floor(0.9 * sorted.length)];
+  const codesOf = (picture) => onModel(picture).map((light) => displayed(exposure * light));
+  const truth = codesOf(colors);
+  const rows = [{ name: 'path tracer', picture: colors }];
+  for (const way of ways.filter(({ isBesideOnly }) => !isBesideOnly)) {
+    const picture = await seenBy(way, panorama, 'models.html', 'modelIn', seen);
+    const squares = codesOf(picture).map((code, i) => ((code - truth[i]) / 255) ** 2);
+    const psnr_dB = -10 * Math.log10(squares.reduce((sum, square) => sum + square, 0) / squares.length);
+    rows.push({ name: way.name, picture, psnr_dB });
+  }
+  return { name: `${basename(model)}, ${basename(panorama)}`, rows, width_px, height_px, exposure };
+}
+
+run(['export', 'sphere', '-o', 'ball.glb']);
 const whites = new Map();
 for (const way of ways.filter(({ bake }) => bake))
   if (!whites.has(way.engine)) whites.set(way.engine, await colorsBy(way, 'white'));
@@ -144,6 +171,14 @@ for (const panorama of panoramas) {
   text += `${tableOf(surfaces.map(({ roughness }) => roughness ?? 'matt'), await compareColors(panorama, whites))}\n`;
   sheets.push({ name, balls, rows: pictures });
 }
+const shown = [];
+for (const model of models)
+  for (const panorama of panoramas) {
+    shown.push(await compareModel(model, panorama));
+    const { name, rows } = shown.at(-1);
+    text += `${name}, PSNR in dB:\n\n`;
+    text += `${rows.slice(1).map((row) => `| ${row.name} | ${row.psnr_dB.toFixed(1)} |`).join('\n')}\n\n`;
+  }
 writeFileSync(join(folder, 'engines.md'), text);
-writeFileSync(join(folder, 'engines.html'), pageOf(sheets, side_px));
+writeFileSync(join(folder, 'engines.html'), pageOf(sheets, side_px, shown));
 console.log(text);

@@ -15,7 +15,8 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /// Each of the three axes has a channel, in which light grows along it: no two directions have one colour, and a map
 /// that is mirrored or turned has wrong colours everywhere. A lamp makes what is sharp.
-function lightFrom(d) {
+export function knownLight(direction) {
+  const d = normalized(direction);
   const isLamp = dot(d, lamp.towards) > lamp.cosine;
   return d.map((component, c) => 0.3 + 0.25 * component + (isLamp ? lamp.radiance[c] : 0));
 }
@@ -39,7 +40,7 @@ export function panoramaTexels(width, height, lightOf) {
   return texels;
 }
 
-export const knownTexels = panoramaTexels(width, height, lightFrom);
+export const knownTexels = panoramaTexels(width, height, knownLight);
 
 function writePfm(path, lightOf) {
   const samples = new Float32Array(width * height * 3);

@@ -79,6 +79,26 @@ TEST_F(BakeChoicesTest, AnEngineHasItsOwnMipMapping) {
   EXPECT_EQ(mappingOf("--mip-mapping linear --for unreal"), "linear");
 }
 
+// What their importers take of cubes: docs/engines.
+TEST_F(BakeChoicesTest, AnEngineHasTexturesThatItImports) {
+  for (const std::string program : {"unreal", "unity", "godot"}) {
+    succeed(kSmall + ("--quiet --for " + program));
+    const ImageSet chain = texture("out/specular.dds");
+    EXPECT_EQ(chain.faces(), 6) << program;
+    EXPECT_THAT(succeed("info out/specular.dds"), HasSubstr("r16g16b16a16 sfloat")) << program;
+    // Godot refuses a chain that ends before 1 x 1.
+    EXPECT_EQ(chain.at(chain.levels() - 1, 0).width(), program == "godot" ? 1 : 4) << program;
+    EXPECT_EQ(texture("out/irradiance.dds").faces(), 6) << program;
+    EXPECT_EQ(texture("out/brdf.dds").at(0, 0).width(), 16) << program;
+  }
+  EXPECT_THAT(refuse(2, kSmall + std::string("--for unreal --format bc6h")),
+              HasSubstr("unreal reads half, float32, no bc6h"));
+  EXPECT_THAT(refuse(2, kSmall + std::string("--for godot --format b10g11r11")), HasSubstr("no b10g11r11"));
+  succeed(kSmall + std::string("--for godot --format bc6h"));
+  succeed(kSmall + std::string("--for unreal --extension ktx2 --format bc6h"));
+  EXPECT_EQ(texture("out/specular.ktx2").faces(), 6);
+}
+
 TEST_F(BakeChoicesTest, TheLevelsHaveTheRoughnessThatTheEngineLooksUp) {
   const Outcome outcome = run("bake white -o out --size 32 --irradiance-size 4 --brdf-size 2 --for unity");
   EXPECT_THAT(outcome.err, HasSubstr("Unity looks for roughness 1 in level 6, and this chain has it in level 3"));

@@ -51,7 +51,7 @@ constexpr const char* kSmallPictures = "bake map.exr --size 16 --irradiance-size
 TEST_F(BakePicturesTest, EachLevelIsSixPictures) {
   for (const std::string program : {"", " --for unreal"}) {
     const std::string line = kSmallPictures + std::string("--skybox") + program;
-    succeed(line + " --format float32 -o cubes");
+    succeed(line + " --extension ktx2 --format float32 -o cubes");
     const ImageSet specular = texture("cubes/specular.ktx2");
     for (const std::string extension : {"exr", "hdr"}) {
       const std::string folder = extension + program.substr(program.rfind(' ') + 1);
@@ -118,7 +118,7 @@ TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {
 TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
   for (const std::string program : {"", " --for unreal", " --for three"}) {
     const std::string to = " --format float32 --rotate 40,10" + program;
-    succeed(kSmallPictures + std::string("--mip-mapping filament --skybox-size 64 -o out") + to);
+    succeed(kSmallPictures + std::string("--mip-mapping filament --skybox-size 64 --extension ktx2 -o out") + to);
     succeed("convert map.exr --to cube --size 64 -o cube.ktx2" + to);
     const ImageSet skybox = texture("out/skybox.ktx2");
     const ImageSet cube = texture("cube.ktx2");

@@ -128,11 +128,12 @@ Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const Bak
                                                  const std::string& extension) {
   const std::optional<TexelFormat> wanted = settings.file.format;
   const bool is_engines = extension.empty() || indexOfName(extension, {&set.extension, 1}).has_value();
-  if (!is_engines || !set.format) return wanted;
+  if (!is_engines || set.other_formats.empty()) return wanted;
   if (!wanted || wanted == set.format) return set.format;
   if (contains(set.other_formats, *wanted)) return wanted;
   const auto nameOf = [](TexelFormat one) { return kTexelFormatNames[static_cast<std::size_t>(one)].name; };
-  std::vector<std::string_view> known{nameOf(*set.format)};
+  std::vector<std::string_view> known;
+  if (set.format) known.push_back(nameOf(*set.format));
   for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));
   return fail(ErrorCode::usage, std::string(set.program) + " reads " + join(known) + ", no " +
                                     std::string(nameOf(*wanted)) + "; leave the format to it");

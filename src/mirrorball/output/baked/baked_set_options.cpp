@@ -52,7 +52,7 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .maximum = 14,
       .help = "number of mip levels, level 0 included; the last one has roughness 1, but for {option:mip-mapping} "
               "babylon, which reaches it before its smallest levels. 0: down to 4 x 4 texels per face, for filament "
-              "down to 16 x 16, for three 8 x 8, for babylon and with its mapping 1 x 1; playcanvas has 6"},
+              "down to 16 x 16, for three 8 x 8, for godot, for babylon and with its mapping 1 x 1; playcanvas has 6"},
      &BakedSetSettings::levels},
     {{.name = "distribution",
       .choices = "ggx|phong|blinn|charlie",
@@ -119,7 +119,8 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
     {{.name = "extension",
       .value = kCubeExtensions,
       .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
-              "it, ktx2, for filament ktx and for openexr exr. babylon, playcanvas and gltf have files of their own",
+              "it, ktx2, for unreal, unity and godot dds, for filament ktx and for openexr exr. babylon, playcanvas "
+              "and gltf have files of their own",
       .names = bakedCubeExtensions},
      &BakedSetSettings::extension},
 });

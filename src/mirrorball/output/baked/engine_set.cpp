@@ -16,16 +16,23 @@ namespace {
 
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
 constexpr std::array<TexelFormat, 3> kOfThree{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
+constexpr std::array<TexelFormat, 2> kOfUnreal{TexelFormat::half, TexelFormat::float32};
+constexpr std::array<TexelFormat, 4> kOfUnityAndGodot{TexelFormat::half, TexelFormat::float32, TexelFormat::e5b9g9r9,
+                                                      TexelFormat::bc6h};
 
 /// Of PNGs of four bytes a texel, of all levels: they, what they are gathered in, and the file.
 constexpr int kBytesOfPictures = 3 * 4 * 4 / 3;
 
-/// docs/prefiltering.md and docs/engines.md have the sources.
+/// docs/prefiltering.md and docs/engines have the sources.
 constexpr auto kEngineSets = std::to_array<EngineSet>({
     {.program = ""},
-    {.program = "unreal", .mip_mapping = MipMapping::unreal},
-    {.program = "unity", .mip_mapping = MipMapping::unity},
-    {.program = "godot", .mip_mapping = MipMapping::frostbite},
+    {.program = "unreal", .mip_mapping = MipMapping::unreal, .extension = "dds", .other_formats = kOfUnreal},
+    {.program = "unity", .mip_mapping = MipMapping::unity, .extension = "dds", .other_formats = kOfUnityAndGodot},
+    {.program = "godot",
+     .mip_mapping = MipMapping::frostbite,
+     .extension = "dds",
+     .other_formats = kOfUnityAndGodot,
+     .smallest_face = 1},
     {.program = "filament",
      .mip_mapping = MipMapping::filament,
      .files = SetFiles::cmgens,

@@ -26,7 +26,7 @@ struct EngineSet {
   SetFiles files = SetFiles::ours;
   std::string_view extension = "ktx2";              ///< of textures, or of the packed file
   std::optional<TexelFormat> format = {};           ///< of such textures' texels; none: as they need
-  std::span<const TexelFormat> other_formats = {};  ///< that it reads, where it has a format of its own
+  std::span<const TexelFormat> other_formats = {};  ///< that it reads in textures of its extension; none: any
   int smallest_face = 4;                            ///< of the chain [texels]
   int levels = 0;                                   ///< of the chain whatever its size; 0: by the smallest face
   bool takes_any_mapping = false;                   ///< its own files may have another mip mapping than `mip_mapping`

@@ -92,8 +92,11 @@ std::string textOf(const TransferCurve& curve) {
 
 std::optional<glm::mat3> rec709FromPrimaries(const Primaries& primaries) {
   if (!arePossible(primaries) || areNear(primaries, kRec709)) return {};
-  return glm::mat3(glm::inverse(xyzFromRgb(kRec709)) * adaptation(primaries.white, kRec709.white) *
-                   xyzFromRgb(primaries));
+  return glm::mat3(rec709Matrix(primaries));
+}
+
+glm::dmat3 rec709Matrix(const Primaries& primaries) {
+  return glm::inverse(xyzFromRgb(kRec709)) * adaptation(primaries.white, kRec709.white) * xyzFromRgb(primaries);
 }
 
 std::string describeColor(const TransferCurve& curve, const std::optional<Primaries>& stated, int channels) {
@@ -110,14 +113,15 @@ void convertToRec709(Image& image, const std::optional<Primaries>& stated) {
   if (const auto matrix = rec709FromPrimaries(*stated)) transformColors(image, *matrix);
 }
 
-void transformColors(Image& image, const glm::mat3& matrix) {
+void transformColors(Image& image, const glm::mat3& matrix, float rounding) {
   constexpr std::size_t kTexelsPerPiece = 1 << 15;
   const std::size_t stride = std::size_t(image.channels());
   parallelFor(image.texelCount(), kTexelsPerPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float* texel = image.samples().data() + i * stride;
       const glm::vec3 color = matrix * glm::vec3(texel[0], texel[1], texel[2]);
-      for (int c = 0; c < 3; ++c) texel[c] = color[c];
+      const float least = -rounding * std::max({color.x, color.y, color.z});
+      for (int c = 0; c < 3; ++c) texel[c] = color[c] < 0.0f && color[c] > least ? 0.0f : color[c];
     }
   });
 }

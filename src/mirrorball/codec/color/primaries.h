@@ -42,6 +42,9 @@ inline constexpr Primaries kCieXyz{{1.0, 0.0}, {0.0, 1.0}, {0.0, 0.0}, {1.0 / 3.
 ///          (writers leave them all zero)
 std::optional<glm::mat3> rec709FromPrimaries(const Primaries& primaries);
 
+/// That matrix in double precision, of primaries that span a triangle with the white inside.
+glm::dmat3 rec709Matrix(const Primaries& primaries);
+
 /// How a file's samples stand for light.
 struct TransferCurve {
   /// Light is the sample to this power: 1 is linear light, 2.2 the gamma of old pictures. Nothing: sRGB's curve.
@@ -63,6 +66,8 @@ std::string describeColor(const TransferCurve& curve, const std::optional<Primar
 void convertToRec709(Image& image, const std::optional<Primaries>& stated);
 
 /// Multiplies the first three channels of every texel.
-void transformColors(Image& image, const glm::mat3& matrix);
+///
+/// rounding  channels that are negative by less than this share of the greatest become 0
+void transformColors(Image& image, const glm::mat3& matrix, float rounding = 0.0f);
 
 }  // namespace mirrorball

@@ -310,7 +310,8 @@ Result<Bytes> encodeJpegWithGainMap(const Image8& picture, const Image& light, c
 FormatCodec jpegCodec() {
   return {.decode = withoutProgress<decodeJpeg>,
           .decode_texture = decodeJpegTexture,
-          .encode_picture = encodeJpeg,
+          .encode_picture = [](const Image8& picture, const Metadata& metadata,
+                               OutputPrimaries) { return encodeJpeg(picture, metadata); },
           .encode_with_gain_map = encodeJpegWithGainMap,
           .picture_channels = 3};
 }

@@ -19,6 +19,8 @@ struct Primaries {
 };
 
 inline constexpr glm::dvec2 kD65{0.3127, 0.3290};
+/// Of ICC's profile connection space: XYZ 0.9642, 1, 0.8249 (ICC.1:2022, 7.2.16).
+inline constexpr glm::dvec2 kD50{0.345703, 0.358539};
 inline constexpr glm::dvec2 kAcesWhite{0.32168, 0.33767};
 
 /// ITU-R BT.709: what every image inside the program has.
@@ -34,6 +36,12 @@ inline constexpr Primaries kAcesAp0{{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.07
 inline constexpr Primaries kAcesAp1{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, kAcesWhite};
 /// X, Y and Z themselves, as EXR files of CIE XYZ state them.
 inline constexpr Primaries kCieXyz{{1.0, 0.0}, {0.0, 1.0}, {0.0, 0.0}, {1.0 / 3.0, 1.0 / 3.0}};
+
+/// Whether the primaries span a triangle, and make the white by finite shares.
+bool arePossible(const Primaries& primaries);
+
+/// Bradford's transform of XYZ from one white point to another.
+glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white);
 
 /// The matrix that brings linear colours of other primaries to Rec.709. Where the white points
 /// differ, colours are adapted by the Bradford transform, so that (1, 1, 1) stays (1, 1, 1).

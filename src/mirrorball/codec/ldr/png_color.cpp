@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "mirrorball/codec/color/icc_profile.h"
-
 namespace mirrorball {
 namespace {
 
@@ -61,8 +59,10 @@ PngColor readPngColor(png_const_structrp png, png_inforp info) {
   png_bytep profile = nullptr;
   png_uint_32 size = 0;
   int compression = 0;
-  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) != 0)
-    return {.icc_description = iccDescription({profile, size})};
+  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) != 0) {
+    const IccProfile read = readIccProfile({profile, size});
+    return {.profile = read, .curve = read.curve, .primaries = read.primaries};
+  }
   return {.curve = readCurve(png, info), .primaries = readPrimaries(png, info)};
 }
 
@@ -84,7 +84,7 @@ void writePngColor(png_structrp png, png_inforp info, OutputPrimaries primaries)
 
 std::string describeColor(const PngColor& color, int channels) {
   if (color.coded) return describeColor(*color.coded, channels);
-  if (!color.icc_description.empty()) return describeIccColor(color.icc_description);
+  if (!color.profile.description.empty()) return describeColor(color.profile, channels);
   return describeColor(color.curve, color.primaries, channels);
 }
 

@@ -6,15 +6,16 @@
 #include <png.h>
 
 #include "mirrorball/codec/color/coded_color.h"
+#include "mirrorball/codec/color/icc_profile.h"
 
 namespace mirrorball {
 
 /// What a PNG says of its colour.
 struct PngColor {
   std::optional<CodedColor> coded = {};  ///< by a chunk cICP; then the others mean nothing
+  IccProfile profile = {};               ///< then those of its chunk iCCP, as far as it is understood
   TransferCurve curve = kSrgbCurve;
   std::optional<Primaries> primaries = {};
-  std::string icc_description = {};  ///< of an ICC profile, which is not applied; empty: there is none
 };
 
 /// Has the chunk cICP kept for readPngColor; before png_read_info.

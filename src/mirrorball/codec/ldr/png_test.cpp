@@ -265,7 +265,17 @@ TEST(PngColor, TheChunkSrgbGoesBeforeTheOthers) {
   EXPECT_EQ(back.color, "sRGB");
 }
 
-TEST(PngColor, AProfileIsNamedAndNotApplied) {
+TEST(PngColor, AProfileOfAMatrixIsConverted) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    const Bytes profile = testing::iccDisplayP3();
+    png_set_iCCP(png, info, "any", PNG_COMPRESSION_TYPE_BASE, profile.data(), static_cast<png_uint_32>(profile.size()));
+  });
+  EXPECT_EQ(back.color, "sRGB, primaries of the file (Display P3): converted");
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * glm::vec3(1.0f, linear(128.0f / 255.0f), 0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.image.samples()[std::size_t(c)], expected[c], 1e-3f);
+}
+
+TEST(PngColor, AProfileOfANameAloneIsNotApplied) {
   const DecodedImage back = orangeWith([](auto png, auto info) {
     const Bytes profile = testing::iccProfile("Display P3");
     png_set_text_compression_level(png, 0);  // libpng takes a chunk of less than 92 bytes for none

@@ -240,6 +240,7 @@ Command convertCommand() {
   MapOutputOptions& output = request->convert.output;
   addOptions(command, kConvertOptions, request->convert.options, &output.given);
   static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs, a folder";
+  addOptions(command, mapPictureOptions(), output.file, &output.given);
   addMapOutput(command, output, of_output);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->convert.output.output,

@@ -26,7 +26,6 @@ const Option<MapOutputOptions> kOutput{{.name = "output",
 std::string_view mapOutputHelp() { return kMapHelp; }
 
 void addMapOutput(Command& command, MapOutputOptions& output, std::string_view help) {
-  addOptions(command, mapPictureOptions(), output.file, &output.given);
   addOptions(command, std::span(&kOutput, 1), output);
   if (!help.empty()) command.options.back().text.help = help;
   addOptions(command, mapFileOptions(), output.file);

@@ -151,12 +151,13 @@ void addColoredPngs(Corpus& corpus) {
     testing::appendU32(primaries, number, true);
   corpus.add("png", "primaries", withChunk(plain, "cHRM", primaries));
   Bytes profile = bytesOf(std::string("name\0\0", 6));
-  const Bytes unpacked = testing::iccProfile("Display P3");
+  const Bytes unpacked = testing::iccDisplayP3();
   Bytes packed(compressBound(unpacked.size()));
   uLongf size = packed.size();
   compress2(packed.data(), &size, unpacked.data(), unpacked.size(), 0);
   profile.insert(profile.end(), packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size));
   corpus.add("png", "profile", withChunk(plain, "iCCP", profile));
+  corpus.add("png", "code_points", withChunk(plain, "cICP", {9, 16, 0, 1}));
 }
 
 void addImages(Corpus& corpus) {
@@ -181,6 +182,9 @@ void addImages(Corpus& corpus) {
   corpus.add("jpeg", "profile",
              testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}),
                                       testing::iccProfile4(u"Display P3")));
+  corpus.add(
+      "jpeg", "matrix_profile",
+      testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}), testing::iccDisplayP3()));
   const GainMap numbers{.max_log2 = glm::vec3(4.0f)};
   const Bytes small = *encodeJpeg(Image8(8, 8, 1, 128), {});
   corpus.add("jpeg", "gain_map", joinedUltraHdr(small, small, numbers));

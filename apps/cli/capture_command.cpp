@@ -171,6 +171,7 @@ Command captureCommand() {
   addOptions(command, stanceOptions(), request->scene.stance);
   addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kCaptureOptions, request->options);
+  addOptions(command, mapPictureOptions(), request->output.file, &request->output.given);
   addMapOutput(command, request->output);
   addOptions(command, captureFrameOptions(), request->look, &request->given);
   addReference(command, request->reference, request->given);

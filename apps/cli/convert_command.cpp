@@ -88,12 +88,6 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {kMaxMemoryText, &ConvertOptions::max_memory},
 });
 
-const auto kConvertDisplay = std::to_array<Option<MapFileOptions>>({
-    {exposureText(), numberField<&MapFileOptions::display, &Display::exposure_ev>},
-    {toneMapText(), choiceField<&MapFileOptions::display, &Display::tone_map>},
-    {gainMapText(), &MapFileOptions::gain_map},
-});
-
 Resampling resamplingOf(const ConvertOptions& options) {
   Resampling resampling{.interpolation = options.filter, .source_from_target = sourceFromRotated(options.rotate_deg)};
   if (options.centre.empty()) return resampling;
@@ -245,8 +239,8 @@ Command convertCommand() {
               request->inputs);
   MapOutputOptions& output = request->convert.output;
   addOptions(command, kConvertOptions, request->convert.options, &output.given);
-  addOptions(command, kConvertDisplay, output.file, &output.given);
   static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs, a folder";
+  addOptions(command, mapPictureOptions(), output.file, &output.given);
   addMapOutput(command, output, of_output);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->convert.output.output,

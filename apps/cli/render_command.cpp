@@ -36,7 +36,6 @@ namespace {
 /// The files of `render` beside those of its scene (scene_inputs.h).
 struct RenderFiles {
   std::string output = "mirrorball.png";
-  bool gain_map = false;
 };
 
 const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds::picture) + " (tone mapped) or " +
@@ -52,13 +51,23 @@ const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
       .takes_path = true,
       .is_daily = true},
      &RenderFiles::output},
-    {gainMapText(), &RenderFiles::gain_map},
+});
+
+OptionText ofPicture(OptionText text) {
+  text.group = "Picture";
+  return text;
+}
+
+const auto kPictureFormOptions = std::to_array<Option<PictureForm>>({
+    {ofPicture(primariesText()), choiceField<&PictureForm::primaries>},
+    {gainMapText(), &PictureForm::gain_map},
 });
 
 /// All that `render` was told.
 struct RenderRequest {
   SceneRequest scene;
   RenderFiles files;
+  PictureForm form;
   FrameSettings frame;
   MaterialChanges materials;
   Turntable turntable;
@@ -111,8 +120,9 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
                                       request.scene.stance.animation.name + "@0");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
-  if (request.files.gain_map) MIRRORBALL_TRY_VOID(checkHoldsGainMap(output));
-  if (request.files.gain_map && request.given.contains("resolve") && settings.resolve == Resolve::display)
+  MIRRORBALL_TRY_VOID(checkStatesPrimaries(output, request.form.primaries, {Holds::light, Holds::picture}));
+  if (request.form.gain_map) MIRRORBALL_TRY_VOID(checkHoldsGainMap(output));
+  if (request.form.gain_map && request.given.contains("resolve") && settings.resolve == Resolve::display)
     return fail(ErrorCode::usage,
                 "--gain-map holds radiance, and --resolve display averages what a display shows of "
                 "it; leave one of them out");
@@ -140,7 +150,7 @@ Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderR
                        const PictureFiles& outputs, StageClock& clock) {
   const Turntable& turntable = request.turntable;
   if (turntable.frames == 0)
-    return renderFrame(renderer, settings, outputs.paths.front(), outputs.gain_map, clock, progressBar("samples"));
+    return renderFrame(renderer, settings, outputs.paths.front(), outputs.form, clock, progressBar("samples"));
   if (playsAnimation(request))
     return renderAnimation(renderer, settings, {request.scene, request.materials, turntable, turns(request)}, outputs,
                            clock);
@@ -158,9 +168,9 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (request.reference.is_wanted)
     return renderReference(request.scene, request.materials, settings, request.reference, request.given,
-                           request.files.output, request.files.gain_map);
-  if (storesLinearLight(request.files.output) || request.files.gain_map) settings.resolve = Resolve::radiance;
-  PictureFiles outputs{{request.files.output}, request.files.gain_map};
+                           request.files.output, request.form);
+  if (storesLinearLight(request.files.output) || request.form.gain_map) settings.resolve = Resolve::radiance;
+  PictureFiles outputs{{request.files.output}, request.form};
   if (request.turntable.frames > 0) {
     MIRRORBALL_TRY(numbered, numberedPaths(request.files.output, request.turntable.frames));
     outputs.paths = std::move(numbered);
@@ -198,6 +208,7 @@ Command renderCommand() {
   addOptions(command, stanceOptions(), request->scene.stance);
   addOptions(command, qualityOptions(), request->scene.wish, &request->given);
   addOptions(command, kRenderFileOptions, request->files);
+  addOptions(command, kPictureFormOptions, request->form);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addReference(command, request->reference, request->given);

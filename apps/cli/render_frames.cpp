@@ -26,8 +26,7 @@ Result<void> renderEach(Renderer& renderer, const char* what, const PictureFiles
   const std::size_t frames = files.paths.size();
   for (std::size_t frame = 0; frame < frames; ++frame) {
     MIRRORBALL_TRY(settings, prepare(frame));
-    const Result<void> drawn =
-        renderFrame(renderer, settings, files.paths[frame], files.gain_map, clock, untilInterrupted);
+    const Result<void> drawn = renderFrame(renderer, settings, files.paths[frame], files.form, clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
     whenInterrupted(interruptedAfter(whole, frames));
@@ -36,33 +35,46 @@ Result<void> renderEach(Renderer& renderer, const char* what, const PictureFiles
   return {};
 }
 
+/// Writes light in the file's primaries: radiance, or what a display sends of it.
+Result<void> writeLight(const std::string& output, Image light, const PictureForm& form) {
+  convertFromRec709(light, form.primaries);
+  return writeImage(output, light, {.metadata = {}, .primaries = form.primaries});
+}
+
 float angleOf(std::size_t frame, std::size_t frames) {
   return 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
 }
 
 }  // namespace
 
-Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame, bool gain_map) {
+Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame,
+                        const PictureForm& form) {
   const glm::vec4 backdrop = backdropOf(frame);
-  const Image light = gain_map ? lightOnDisplay(frame.display, radiance, backdrop) : Image();
-  const Image8 picture = displayedPicture(frame.display, std::move(radiance), backdrop);
-  return gain_map ? savePictureWithGainMap(output, picture, light) : savePicture(output, picture);
+  if (form.gain_map) {
+    const Image light = lightOnDisplay(frame.display, radiance, backdrop);
+    return savePictureWithGainMap(output, displayedPicture(frame.display, std::move(radiance), backdrop), light);
+  }
+  return writeLight(output, displayedLight(frame.display, std::move(radiance), backdrop), form);
 }
 
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output, bool gain_map,
-                         StageClock& clock, const ProgressFunction& progress) {
-  if (gain_map) {
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+                         const PictureForm& form, StageClock& clock, const ProgressFunction& progress) {
+  if (form.gain_map) {
     FrameSettings without_backdrop = settings;
     if (settings.background == BackgroundKind::display_color) without_backdrop.background = BackgroundKind::transparent;
     MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(without_backdrop, progress); }));
     MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
     return clock.time("picture: encode and write",
-                      [&] { return writeShown(output, std::move(radiance), settings, gain_map); });
+                      [&] { return writeShown(output, std::move(radiance), settings, form); });
   }
   MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
   if (storesLinearLight(output)) {
     MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
-    return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
+    return clock.time("picture: encode and write", [&] { return writeLight(output, std::move(radiance), form); });
+  }
+  if (form.primaries != OutputPrimaries::rec709) {
+    MIRRORBALL_TRY(light, clock.time("frame: finish, tone map, read back", [&] { return renderer.displayedLight(); }));
+    return clock.time("picture: encode and write", [&] { return writeLight(output, std::move(light), form); });
   }
   MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
   return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });

@@ -5,31 +5,37 @@
 
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
+#include "mirrorball/codec/color/output_primaries.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/camera/framing.h"
 
 namespace mirrorball::cli {
 
+/// How pictures go into their files.
+struct PictureForm {
+  bool gain_map = false;                                ///< beside each: savePictureWithGainMap
+  OutputPrimaries primaries = OutputPrimaries::rec709;  ///< of each
+};
+
 /// Where pictures go.
 struct PictureFiles {
   std::vector<std::string> paths;
-  bool gain_map = false;  ///< with a gain map beside each: savePictureWithGainMap
+  PictureForm form = {};
 };
 
 /// Writes the picture that a display shows of radiance.
 ///
 /// radiance  4 channels, alpha premultiplied, without the colour of the display that lies behind it
-/// gain_map  beside the picture
-/// errors    as savePicture's
-Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame, bool gain_map);
+/// errors    as writeImage's
+Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame, const PictureForm& form);
 
 /// Draws one picture and writes it.
 ///
-/// gain_map  beside the picture; the settings resolve radiance then
-/// errors    as Renderer::draw's and writeImage's
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output, bool gain_map,
-                         StageClock& clock, const ProgressFunction& progress);
+/// form     with a gain map the settings resolve radiance
+/// errors   as Renderer::draw's and writeImage's
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+                         const PictureForm& form, StageClock& clock, const ProgressFunction& progress);
 
 /// What a camera is to hold in a turntable. With a turning environment the model stands still before it.
 FramingOf framingOf(Turn turn);

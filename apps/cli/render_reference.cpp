@@ -10,7 +10,6 @@
 
 #include "cli/formatted.h"
 #include "cli/interruption.h"
-#include "cli/render_frames.h"
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
@@ -48,13 +47,14 @@ std::vector<ImageLayer> layersOf(TracedPicture& picture) {
 }
 
 Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output,
-                          bool gain_map) {
+                          const PictureForm& form) {
   Image& image = picture.radiance;
   if (storesLinearLight(output)) {
     if (frame.background == BackgroundKind::display_color) layOver(image, backdropOf(frame));
-    return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture)});
+    convertFromRec709(image, form.primaries);
+    return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture), .primaries = form.primaries});
   }
-  return writeShown(output, std::move(image), frame, gain_map);
+  return writeShown(output, std::move(image), frame, form);
 }
 
 /// "64 paths a pixel, standard error at most 0.0031 of white"
@@ -149,9 +149,11 @@ Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture,
 
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
                              const ReferenceOptions& options, const GivenOptions& given, const std::string& output,
-                             bool gain_map) {
+                             const PictureForm& form) {
   if (options.trace.wants_layers && extensionOf(output) != "exr")
     return fail(ErrorCode::usage, "--layers: only OpenEXR files have layers; write an .exr");
+  if (options.trace.wants_layers && form.primaries != OutputPrimaries::rec709)
+    return fail(ErrorCode::usage, "--layers: the variance of colours has no other primaries; leave --primaries out");
   StageClock clock;
   MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, frame, {&output, 1}, clock));
   MIRRORBALL_TRY_VOID(checkShown(frame, inputs.scene));
@@ -162,7 +164,7 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
     return tracer.render(camera, traceSettings(options, frame, given), observerUntilInterrupted(first_pass));
   }));
   MIRRORBALL_TRY_VOID(
-      clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output, gain_map); }));
+      clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output, form); }));
   announce(output);
   if (scene.timings) clock.print();
   return tellTraced(picture, output);

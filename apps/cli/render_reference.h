@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/command.h"
+#include "cli/render_frames.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "mirrorball/render/settings/frame_settings.h"
@@ -38,10 +39,9 @@ Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture,
 
 /// Path-traces a picture, and writes it. Ctrl-C writes what there is.
 ///
-/// gain_map  beside a picture that is no light: savePictureWithGainMap
-/// errors   as loadInputs', PathTracer's and writeImage's
+/// errors   usage: layers in other primaries than Rec.709's; as loadInputs', PathTracer's and writeImage's
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
                              const ReferenceOptions& options, const GivenOptions& given, const std::string& output,
-                             bool gain_map);
+                             const PictureForm& form);
 
 }  // namespace mirrorball::cli

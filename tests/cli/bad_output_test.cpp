@@ -126,7 +126,7 @@ TEST_F(BadOutputTest, WhatHoldsRadianceHasNoDisplay) {
     succeed("render sphere -e map.exr --size 8x8 --resolve radiance -o " + output);
   }
   EXPECT_THAT(refuse(2, "capture sphere -e map.exr --at 0,0,2 --exposure 1 -o out.exr"),
-              HasSubstr("there is no option --exposure"));
+              AllOf(StartsWith("out.exr: holds light as it is; for --exposure write"), HasSubstr("--scale-light 2")));
 }
 
 TEST_F(BadOutputTest, TheInputIsNotOverwritten) {

@@ -221,12 +221,24 @@ TEST_F(CaptureTest, APlaceFarOutsideOfTheSceneIsNoted) {
 
 TEST_F(CaptureTest, HasNoOptionOfAPictureOrItsCamera) {
   const std::string help = succeed("capture --help all");
-  for (const char* option : {"--camera", "--fov", "--tone-map", "--exposure", "--frames", "--turn ", "--resolve",
-                             "--orthographic", "--target"})
+  for (const char* option : {"--camera", "--fov", "--frames", "--turn ", "--resolve", "--orthographic", "--target"})
     EXPECT_THAT(help, Not(HasSubstr(option)));
-  for (const char* option :
-       {"--samples", "--background", "--material", "--set", "--env-rotation", "--layout", "--mips"})
+  for (const char* option : {"--samples", "--background", "--material", "--set", "--env-rotation", "--layout", "--mips",
+                             "--exposure", "--tone-map", "--gain-map", "--primaries"})
     EXPECT_THAT(help, HasSubstr(option));
+}
+
+TEST_F(CaptureTest, APictureHoldsItsLightInAGainMapAndIsWhatConvertMakes) {
+  const std::string start = "capture none -e white --env-intensity 20 --at 0,0,0 --size 16 ";
+  succeed(start + "-o probe.exr");
+  succeed(start + "--gain-map --tone-map aces --exposure -1 -o probe.jpg");
+  succeed("convert probe.exr --gain-map --tone-map aces --exposure -1 -o converted.jpg");
+  EXPECT_TRUE(bytes("probe.jpg") == bytes("converted.jpg"));
+  EXPECT_NEAR(image("probe.jpg").texel(3, 3)[1], 10.0f, 0.3f);
+  EXPECT_THAT(refuse(2, start + "--gain-map -o a.png"), HasSubstr("write .jpg"));
+  EXPECT_THAT(refuse(2, start + "--tone-map aces -o a.exr"), HasSubstr("holds light as it is"));
+  succeed(start + "--primaries p3 -o wide.exr");
+  EXPECT_NEAR(image("wide.exr").texel(3, 3)[0], 20.0f, 1e-3f);
 }
 
 TEST_F(CaptureTest, WhatIsReadIsNotOverwritten) {

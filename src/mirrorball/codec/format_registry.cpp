@@ -34,7 +34,7 @@ Result<DecodedImage> decodeTexturePicture(Span bytes) {
 }
 
 Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& options) {
-  return encodeHdr(light, options.metadata);
+  return encodeHdr(light, options.metadata, options.primaries);
 }
 
 constexpr FormatCodec kTexture{.decode = withoutProgress<decodeTexturePicture>};
@@ -82,7 +82,7 @@ std::optional<ImageFormatId> formatBegunBy(Span bytes) {
 Result<Bytes> encodePicture(ImageFormatId id, const Image8& picture, const Metadata& metadata) {
   const ImageFormat& format = formatOf(id);
   if (!isInThisBuild(format)) return leftOut("writes no " + std::string(format.name), format.build_option);
-  return FormatRegistry::ofThisBuild()[id].encode_picture(picture, metadata);
+  return FormatRegistry::ofThisBuild()[id].encode_picture(picture, metadata, OutputPrimaries::rec709);
 }
 
 }  // namespace mirrorball

@@ -27,8 +27,8 @@ struct FormatCodec {
   Result<std::unique_ptr<RowReader>> (*open_rows)(FileReader file) = nullptr;
   /// Linear light as it is.
   Result<Bytes> (*encode)(const Image& light, const ImageWriteOptions& options) = nullptr;
-  /// Encoded pictures, of which the format keeps so many channels.
-  Result<Bytes> (*encode_picture)(const Image8& picture, const Metadata& metadata) = nullptr;
+  /// Encoded pictures, of which the format keeps so many channels; primaries are some that it can state.
+  Result<Bytes> (*encode_picture)(const Image8& picture, const Metadata& metadata, OutputPrimaries primaries) = nullptr;
   /// The same with a gain map beside them, by which they hold linear light.
   Result<Bytes> (*encode_with_gain_map)(const Image8& picture, const Image& light, const Metadata& metadata) = nullptr;
   int picture_channels = 4;

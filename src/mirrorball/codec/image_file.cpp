@@ -75,7 +75,7 @@ Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageW
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
   if (codec.encode) return codec.encode(image, options);
   const int channels = std::min(image.channels(), codec.picture_channels);
-  return codec.encode_picture(pictureFromLinear(image, channels), options.metadata);
+  return codec.encode_picture(pictureFromLinear(image, channels), options.metadata, options.primaries);
 }
 
 template <typename Sample>
@@ -121,6 +121,7 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   if (!options.layers.empty() && format != ImageFormatId::exr)
     return fail(ErrorCode::usage, name + ": only OpenEXR files have layers; name it .exr");
+  MIRRORBALL_TRY_VOID(checkStatesPrimaries(path, options.primaries, kPicturesAndLight));
   MIRRORBALL_TRY(bytes, withName(name, withinMemory<Bytes>([&] { return encodeImage(format, image, options); })));
   return writeFile(path, bytes);
 }

@@ -8,6 +8,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/output_primaries.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -53,6 +54,8 @@ struct ImageWriteOptions {
   bool half = false;  ///< OpenEXR: 16-bit floats instead of 32-bit ones
   Metadata metadata;
   std::vector<ImageLayer> layers = {};  ///< OpenEXR alone
+  /// That the image has, and the file states; what is in memory is brought to them by convertFromRec709.
+  OutputPrimaries primaries = OutputPrimaries::rec709;
 };
 
 /// Reads a file that is to be decoded, as a whole. A large one that holds no image is refused by what it begins and
@@ -82,8 +85,8 @@ bool isImage(std::span<const std::uint8_t> bytes);
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
 /// as the format wants them), HDR and JPEG drop it.
 ///
-/// errors   usage (not an extension that can be written; lists those that can; layers in another file than .exr); io;
-///          bad_shape (a number of channels that the format cannot hold)
+/// errors   usage (not an extension that can be written; lists those that can; layers in another file than .exr;
+///          primaries that the format cannot state); io; bad_shape (a number of channels that the format cannot hold)
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
 /// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour

@@ -41,6 +41,11 @@ Admit isWrittenAs(Holds what) {
   return [what](const ImageFormat& format) { return format.is_written && mayHold(format, what); };
 }
 
+bool states(const ImageFormat& format, OutputPrimaries primaries) {
+  if (primaries == OutputPrimaries::acescg) return format.states == StatedPrimaries::all;
+  return primaries == OutputPrimaries::rec709 || format.states != StatedPrimaries::none;
+}
+
 /// "; use .hdr or .exr for linear light, .png or .jpg for pictures": nothing of what no format of the build holds.
 std::string adviceFor(const FormatRegistry& formats, std::initializer_list<Holds> wanted) {
   std::vector<std::string> kinds;
@@ -109,6 +114,27 @@ std::string readFormatNames() {
 
 std::string readFormatNames(Holds what) {
   return namesOf([what](const ImageFormat& format) { return mayHold(format, what); });
+}
+
+std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
+                              std::string_view before_last) {
+  const auto admit = [&](const ImageFormat& format) {
+    return format.is_written && contains(wanted, format.holds) && states(format, primaries);
+  };
+  return extensionsOf(FormatRegistry::ofThisBuild(), admit, before_last);
+}
+
+Result<void> checkStatesPrimaries(const std::filesystem::path& path, OutputPrimaries primaries,
+                                  std::initializer_list<Holds> wanted) {
+  if (primaries == OutputPrimaries::rec709) return {};
+  MIRRORBALL_TRY(id, formatToWrite(path, wanted));
+  const ImageFormat& format = formatOf(id);
+  if (states(format, primaries)) return {};
+  const std::string why = format.states == StatedPrimaries::none
+                              ? ": cannot state other primaries than Rec.709's; write "
+                              : ": holds what a display shows, and ACEScg is linear light; write ";
+  return fail(ErrorCode::usage, path.string() + why + extensionsStating(primaries, wanted, " or ") +
+                                    ", or leave the primaries as they are");
 }
 
 Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/output_primaries.h"
 
 namespace mirrorball {
 
@@ -23,6 +24,13 @@ enum class Holds {
 /// The formats that are read, some of which are written; a format's number is its place in kImageFormats.
 enum class ImageFormatId { hdr, exr, png, jpeg, ktx2, ktx, dds, tiff, webp, avif, jxl, tga, bmp, pnm, pfm };
 
+/// Which primaries files that are written may state.
+enum class StatedPrimaries {
+  none,         ///< that is Rec.709's
+  of_displays,  ///< all but ACEScg, which is for linear light
+  all,
+};
+
 struct ImageFormat {
   ImageFormatId id;
   std::string_view name;        ///< "Radiance HDR"
@@ -31,22 +39,24 @@ struct ImageFormat {
   bool is_written;
   std::string_view what;               ///< what is read of it, for the documentation
   std::string_view build_option = {};  ///< of a format that a build may leave out: "MIRRORBALL_TIFF"
+  StatedPrimaries states = StatedPrimaries::none;
 };
 
 /// The one list of formats: every message, help text and page that names some is made from it, in its order, and names
 /// those that the build has (isInThisBuild).
 inline constexpr std::array<ImageFormat, 15> kImageFormats{{
     {ImageFormatId::hdr, "Radiance HDR", "hdr", Holds::light, true,
-     "RGBE and XYZE; run-length coded, old and new, or flat; any orientation"},
+     "RGBE and XYZE; run-length coded, old and new, or flat; any orientation", "", StatedPrimaries::all},
     {ImageFormatId::exr, "OpenEXR", "exr", Holds::light, true,
      "half, float and integers; scan lines and tiles; every compression of OpenEXR 3; luminance and chroma",
-     "MIRRORBALL_EXR"},
-    {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `gAMA`, `cHRM`, `sRGB`",
-     "MIRRORBALL_PNG"},
+     "MIRRORBALL_EXR", StatedPrimaries::all},
+    {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `cICP`, `sRGB`, `gAMA`, `cHRM`",
+     "MIRRORBALL_PNG", StatedPrimaries::of_displays},
     {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true,
      "grey and RGB, baseline and progressive; gain maps (Ultra HDR, ISO 21496-1)", "MIRRORBALL_JPEG"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
-     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H, UASTC HDR 4x4; Zstandard"},
+     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H, UASTC HDR 4x4; Zstandard", "",
+     StatedPrimaries::all},
     {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, true, "the same formats, in either byte order"},
     {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files"},
     {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,
@@ -105,6 +115,18 @@ std::string readFormatNames();
 
 /// The same of those that may hold one thing.
 std::string readFormatNames(Holds what);
+
+/// The usual extensions of the formats that are written, can state primaries and hold one of these:
+/// ".hdr, .exr and .ktx2".
+std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
+                              std::string_view before_last);
+
+/// Refuses primaries that a file of that name cannot state: what it holds would be taken for other colours.
+///
+/// wanted   what the format may hold
+/// errors   usage: lists the extensions that can; formatToWrite's
+Result<void> checkStatesPrimaries(const std::filesystem::path& path, OutputPrimaries primaries,
+                                  std::initializer_list<Holds> wanted);
 
 /// The format that is written under a name with that extension.
 ///

@@ -34,5 +34,26 @@ TEST(ImageFormat, TheExtensionTellsWhatIsWritten) {
   EXPECT_EQ(message("x", {Holds::texture}), "x: has no extension to tell its format by; use .ktx2, .ktx or .dds");
 }
 
+TEST(ImageFormat, PrimariesThatAFileCannotStateAreRefused) {
+  const auto message = [](const char* path, OutputPrimaries primaries, std::initializer_list<Holds> wanted) {
+    const auto refused = checkStatesPrimaries(path, primaries, wanted);
+    return refused ? "" : refused.error().message;
+  };
+  const std::initializer_list<Holds> any{Holds::light, Holds::picture, Holds::texture};
+  for (const char* path : {"a.exr", "a.hdr", "a.ktx2"})
+    for (const OutputPrimaries primaries : {OutputPrimaries::p3, OutputPrimaries::rec2020, OutputPrimaries::acescg})
+      EXPECT_EQ(message(path, primaries, any), "");
+  EXPECT_EQ(message("a.png", OutputPrimaries::p3, any), "");
+  EXPECT_EQ(message("a.jpg", OutputPrimaries::rec709, any), "");
+  for (const std::string path : {"a.jpg", "a.dds", "a.ktx"})
+    EXPECT_EQ(message(path.c_str(), OutputPrimaries::p3, any),
+              path +
+                  ": cannot state other primaries than Rec.709's; write .hdr, .exr, .png or .ktx2, or leave the "
+                  "primaries as they are");
+  EXPECT_EQ(message("a.png", OutputPrimaries::acescg, {Holds::light, Holds::picture}),
+            "a.png: holds what a display shows, and ACEScg is linear light; write .hdr or .exr, or leave the "
+            "primaries as they are");
+}
+
 }  // namespace
 }  // namespace mirrorball

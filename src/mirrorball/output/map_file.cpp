@@ -100,6 +100,18 @@ Result<void> MapFile::setFormat(const MapFileOptions& options) {
   return {};
 }
 
+Result<void> MapFile::setPrimaries(const MapFileOptions& options) {
+  primaries_ = options.primaries;
+  if (primaries_ == OutputPrimaries::rec709) return {};
+  MIRRORBALL_TRY_VOID(checkStatesPrimaries(path_, primaries_, {Holds::light, Holds::texture, Holds::picture}));
+  if (options.program.empty()) return {};
+  MIRRORBALL_TRY(preset, presetNamed(options.program));
+  if (preset.reads_primaries) return {};
+  return fail(ErrorCode::usage, path_ + ": a file for " + std::string(preset.program) +
+                                    " has Rec.709's primaries, since others would not be read there; leave the "
+                                    "primaries as they are, or the program out");
+}
+
 Result<MapFile> MapFile::resolve(const std::string& path, const MapFileOptions& options, Projection projection,
                                  Observer observer) {
   MIRRORBALL_TRY_VOID(formatToWrite(path, {Holds::light, Holds::texture, Holds::picture}));
@@ -113,6 +125,7 @@ Result<MapFile> MapFile::resolve(const std::string& path, const MapFileOptions& 
   MIRRORBALL_TRY_VOID(file.setForm(options, projection));
   MIRRORBALL_TRY_VOID(file.setFormat(options));
   MIRRORBALL_TRY_VOID(file.setLevels(options));
+  MIRRORBALL_TRY_VOID(file.setPrimaries(options));
   if (options.is_one_file && file.paths().size() > 1)
     return fail(ErrorCode::usage, path + ": takes one file, and the layout faces writes six; name another layout");
   return file;
@@ -197,10 +210,10 @@ Result<void> MapFile::writeByStrips(int size, const std::function<Result<void>(c
   std::mutex lost_guard;
   const auto write = [&](TexelFormat format) -> Result<void> {
     all_counts = {};
-    MIRRORBALL_TRY(writer, TextureWriter::create(path_, imageSize(projection, size), faceCount(projection),
-                                                 convertedChannels(projection),
-                                                 {.format = format, .metadata = metadataOf(form_)}));
-    MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
+    MIRRORBALL_TRY(writer, TextureWriter::create(
+                               path_, imageSize(projection, size), faceCount(projection), convertedChannels(projection),
+                               {.format = format, .metadata = metadataOf(form_), .primaries = primaries_}));
+    const auto write_strip = [&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
       if (format == TexelFormat::half) {
         ValueCounts counts;
         counts.add(texels);
@@ -217,6 +230,12 @@ Result<void> MapFile::writeByStrips(int size, const std::function<Result<void>(c
         all_negative += negative;
       }
       return writer.write(face, begin, limited);
+    };
+    MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) {
+      if (primaries_ == OutputPrimaries::rec709) return write_strip(face, begin, texels);
+      Image converted = texels;
+      convertFromRec709(converted, primaries_);
+      return write_strip(face, begin, converted);
     }));
     return writer.commit();
   };
@@ -241,13 +260,19 @@ Result<TexelFormat> MapFile::writeImages(const ImageSet& images, const Metadata&
                                         {.format = format,
                                          .zstandard_level = zstandard_level_,
                                          .metadata = metadata,
+                                         .primaries = primaries_,
                                          .progress = observer_.progressOf("write")});
                  }));
   observer_.tellWritten(path_);
   return written;
 }
 
+void MapFile::convertLight(Image& image) const {
+  if (is_texture_ || storesLinearLight(path_)) convertFromRec709(image, primaries_);
+}
+
 Result<TexelFormat> MapFile::writeLevels(ImageSet levels, const Metadata& facts) const {
+  forEachImage(levels, [&](Image& image) { convertLight(image); });
   tellLost(limitLevels(levels));
   return writeImages(arranged(std::move(levels), form_.arrangement), facts);
 }
@@ -261,6 +286,7 @@ std::uint64_t MapFile::memoryToWrite(int size) const {
 }
 
 Result<void> MapFile::write(EnvironmentMap map) const {
+  for (int face = 0; face < map.faces(); ++face) convertLight(map.face(face));
   if (limitsLight()) tellLost(limitLight(map, {.max = maxOf(*format_)}));
   const std::size_t negative = refusesNegative() ? raiseNegativeLight(map) : 0;
   if (!hasLevels()) return writeFiles(imagesOf(std::move(map), form_), negative);
@@ -269,6 +295,7 @@ Result<void> MapFile::write(EnvironmentMap map) const {
 }
 
 Result<void> MapFile::write(ImageSet levels) const {
+  forEachImage(levels, [&](Image& image) { convertLight(image); });
   tellLost(limitLevels(levels));
   std::size_t negative = 0;
   if (refusesNegative()) forEachImage(levels, [&](Image& image) { negative += raiseNegativeLight(image); });

@@ -43,12 +43,15 @@ struct MapFileOptions {
   MipSource mip_source = MipSource::automatic;  ///< weights of their texels
   Display display = {};                         ///< of pictures
   bool gain_map = false;                        ///< of a .jpg: light beside the picture (savePictureWithGainMap)
+  OutputPrimaries primaries = OutputPrimaries::rec709;  ///< of the file's colours
 };
 
-/// The table of these options, except for the display's.
+/// The table of these options, except for those of pictures.
 std::span<const Option<MapFileOptions>> mapFileOptions();
 /// The options that apply to a cube's texture.
 std::span<const Option<MapFileOptions>> textureFileOptions();
+/// Those of maps in .png and .jpg: how light becomes a picture.
+std::span<const Option<MapFileOptions>> mapPictureOptions();
 
 /// Where a map goes, and in which form.
 class MapFile {
@@ -109,12 +112,16 @@ class MapFile {
   Result<void> setForm(const MapFileOptions& options, Projection projection);
   Result<void> setFormat(const MapFileOptions& options);
   Result<void> setLevels(const MapFileOptions& options);
+  Result<void> setPrimaries(const MapFileOptions& options);
   bool hasLevels() const { return all_levels_ || level_; }
   Result<void> writeFiles(ImageSet images, std::size_t negative) const;
   Result<void> writePictures(ImageSet images) const;
   /// The picture that goes into one of paths(): the map, or a sheet of its levels.
   Image pictureFor(ImageSet& images, std::size_t file) const;
   Result<TexelFormat> writeImages(const ImageSet& images, const Metadata& facts = {}) const;
+  /// Brings light to the file's primaries, before it is limited to what the format holds: what is negative in Rec.709
+  /// need not be in them. Pictures are converted when they are what a display shows.
+  void convertLight(Image& image) const;
   /// Whether a format was asked for that does not hold all light.
   bool limitsLight() const;
   /// Lowers what that format does not hold; returns what is lost of the first level.
@@ -147,6 +154,7 @@ class MapFile {
   MipSource mip_source_ = MipSource::automatic;
   Display display_;
   bool gain_map_ = false;
+  OutputPrimaries primaries_ = OutputPrimaries::rec709;
   Observer observer_;
 };
 

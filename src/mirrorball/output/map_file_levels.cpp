@@ -79,8 +79,10 @@ Image MapFile::pictureFor(ImageSet& images, std::size_t file) const {
 Result<void> MapFile::writePictures(ImageSet images) const {
   ImageSet light = gain_map_ ? images : ImageSet(Image());
   if (display_ != Display{}) forEachImage(images, [&](Image& image) { showOn(display_, image); });
+  if (!storesLinearLight(path_)) forEachImage(images, [&](Image& image) { convertFromRec709(image, primaries_); });
   const bool is_sheet = all_levels_ && images.levels() > 1;
-  const ImageWriteOptions how{.half = half_, .metadata = is_sheet ? metadataOfLevelSheet() : metadataOf(form_)};
+  const ImageWriteOptions how{
+      .half = half_, .metadata = is_sheet ? metadataOfLevelSheet() : metadataOf(form_), .primaries = primaries_};
   const std::vector<std::string> files = paths();
   for (std::size_t file = 0; file < files.size(); ++file) {
     const Image picture = pictureFor(images, file);

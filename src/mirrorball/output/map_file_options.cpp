@@ -132,6 +132,7 @@ const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
               "limit",
       .group = "Output"},
      kClampField},
+    {primariesText(), choiceField<&MapFileOptions::primaries>},
     {{.name = "layout",
       .value = "LAYOUT",
       .help = kLayoutHelp,
@@ -155,7 +156,15 @@ const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
      choiceField<&MapFileOptions::mip_source>},
 });
 
+const auto kMapPictureOptions = std::to_array<Option<MapFileOptions>>({
+    {exposureText(), numberField<&MapFileOptions::display, &Display::exposure_ev>},
+    {toneMapText(), choiceField<&MapFileOptions::display, &Display::tone_map>},
+    {gainMapText(), &MapFileOptions::gain_map},
+});
+
 }  // namespace
+
+std::span<const Option<MapFileOptions>> mapPictureOptions() { return kMapPictureOptions; }
 
 std::span<const Option<MapFileOptions>> mapFileOptions() { return kMapFileOptions; }
 

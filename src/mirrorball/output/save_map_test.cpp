@@ -46,6 +46,22 @@ TEST_F(SaveMapTest, SixFilesAreNamedByTheirProgram) {
   for (const std::string& file : saved->paths) EXPECT_TRUE(std::filesystem::exists(file)) << file;
 }
 
+TEST_F(SaveMapTest, ColoursGoIntoAFileInItsPrimaries) {
+  const MapFileOptions in_acescg{.format = TexelFormat::float32, .primaries = OutputPrimaries::acescg};
+  ASSERT_TRUE(saveMap(path("wide.ktx2"), smoothCube(), in_acescg));
+  const auto loaded = loadEnvironment(path("wide.ktx2"));
+  ASSERT_TRUE(loaded);
+  const EnvironmentMap cube = smoothCube();
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(loaded->environment.map()->face(3).texel(7, 5)[c], cube.face(3).texel(7, 5)[c], 1e-5f);
+  const BakedMaps maps = *bake(Environment(testing::smoothRadiance, 64), {.size = 16});
+  ASSERT_TRUE(saveMap(path("chain.ktx2"), maps.specular, in_acescg));
+  EXPECT_NEAR(readImageSet(path("chain.ktx2"))->images.at(1, 2).texel(3, 4)[0], maps.specular.at(1, 2).texel(3, 4)[0],
+              1e-5f);
+  EXPECT_THAT(saveMap(path("wide.dds"), smoothCube(), {.primaries = OutputPrimaries::p3}).error().message,
+              HasSubstr("cannot state other primaries"));
+}
+
 TEST_F(SaveMapTest, AChainKeepsItsLevels) {
   const BakedMaps maps = *bake(Environment(testing::smoothRadiance, 64), {.size = 16});
   const auto saved = saveMap(path("specular.ktx2"), maps.specular);

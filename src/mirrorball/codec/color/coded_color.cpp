@@ -115,6 +115,14 @@ CodedColor codedColor(int primaries, int transfer) {
   return color;
 }
 
+int codePointOf(OutputPrimaries primaries) {
+  constexpr int kRec709Number = 1;
+  constexpr int kRec2020Number = 9;
+  constexpr int kDisplayP3Number = 12;
+  if (primaries == OutputPrimaries::p3) return kDisplayP3Number;
+  return primaries == OutputPrimaries::rec2020 ? kRec2020Number : kRec709Number;
+}
+
 void decodeColor(Image& codes, const CodedColor& color) {
   constexpr std::size_t kTexelsPerPiece = 1 << 14;
   const auto stride = static_cast<std::size_t>(codes.channels());

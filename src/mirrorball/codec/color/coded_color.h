@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "mirrorball/codec/color/output_primaries.h"
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/image/image.h"
 
@@ -26,6 +27,9 @@ inline constexpr float kGraphicsWhite = 203.0f;
 /// By the numbers of ITU-T H.273 (2021), tables 2 and 3, as AVIF, HEIF and PNG's cICP have them. Numbers that say
 /// nothing, or that are not known, mean sRGB.
 CodedColor codedColor(int primaries, int transfer);
+
+/// The number of primaries there, of any but ACEScg's, which has none.
+int codePointOf(OutputPrimaries primaries);
 
 /// Turns codes from 0 to 1 into linear light of Rec.709's primaries; a fourth channel is alpha and stays. PQ's light is
 /// in kGraphicsWhite, up to 49; HLG's as on a display of 1000 cd/m², up to 4.9.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
@@ -45,6 +46,18 @@ OptionText toneMapText() {
           .is_number = true};
 }
 
+OptionText primariesText() {
+  static const std::string help = [] {
+    const auto extensions = [](OutputPrimaries primaries) {
+      return extensionsStating(primaries, {Holds::light, Holds::picture, Holds::texture}, " and ");
+    };
+    return "primaries of the colours in the file, which states them: p3 (Display P3) and rec2020 in " +
+           extensions(OutputPrimaries::rec2020) + "; acescg, linear light under ACES' white, in " +
+           extensions(OutputPrimaries::acescg);
+  }();
+  return {.name = "primaries", .choices = "rec709|p3|rec2020|acescg", .help = help, .group = "Output"};
+}
+
 OptionText gainMapText() {
   return {.name = "gain-map",
           .help =
@@ -80,7 +93,7 @@ void showOn(const Display& display, Image& image) {
   });
 }
 
-Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop) {
+Image displayedLight(const Display& display, Image image, glm::vec4 backdrop) {
   showOn(display, image);
   for (int y = 0; backdrop.w > 0.0f && y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
@@ -88,7 +101,11 @@ Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop)
       const glm::vec4 over(glm::mix(glm::vec3(backdrop), glm::vec3(texel), texel.w), 1.0f);
       std::copy_n(&over.x, 4, image.texel(x, y));
     }
-  return pictureFromLinear(image, 4);
+  return image;
+}
+
+Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop) {
+  return pictureFromLinear(displayedLight(display, std::move(image), backdrop), 4);
 }
 
 void layOver(Image& image, glm::vec4 backdrop) {

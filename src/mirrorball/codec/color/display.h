@@ -21,6 +21,9 @@ struct Display {
 OptionText exposureText();
 OptionText toneMapText();
 
+/// --primaries, of every command that writes light or pictures of it: the names of OutputPrimaries.
+OptionText primariesText();
+
 /// --gain-map, of every command that writes pictures of light as .jpg.
 OptionText gainMapText();
 
@@ -39,11 +42,14 @@ Image lightOnDisplay(const Display& display, const Image& image, glm::vec4 backd
 /// cost     up to 0.1 µs a texel
 void showOn(const Display& display, Image& image);
 
-/// The picture that a display shows of radiance over a background: formula::displayed, texel by texel.
+/// The light that a display sends of radiance over a background, texel by texel.
 ///
 /// image     4 channels, alpha premultiplied
 /// backdrop  light of the display, and 1; 0: none
-/// returns   4 channels, straight alpha, encoded
+/// returns   4 channels, straight alpha, in [0, 1]
+Image displayedLight(const Display& display, Image image, glm::vec4 backdrop = glm::vec4(0.0f));
+
+/// The picture of that light: formula::displayed, encoded.
 Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop = glm::vec4(0.0f));
 
 /// Lays an image of four channels, alpha premultiplied, over a light that fills what is left of each texel.

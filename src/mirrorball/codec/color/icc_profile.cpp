@@ -1,7 +1,12 @@
 #include "mirrorball/codec/color/icc_profile.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
+#include <glm/glm.hpp>
+
+#include "formula/color.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 
@@ -41,9 +46,8 @@ Span tagValue(Span profile, std::uint32_t signature) {
   return {};
 }
 
-}  // namespace
-
-std::string iccDescription(Span profile) {
+/// "sRGB IEC61966-2.1", "Display P3"; characters beyond ASCII become '?'; "unnamed" where it does not say.
+std::string descriptionIn(Span profile) {
   const Span value = tagValue(profile, letters("desc"));
   const std::uint32_t type = numberAt(value, 0);
   std::string name;
@@ -60,9 +64,106 @@ std::string iccDescription(Span profile) {
   return name.empty() ? "unnamed" : name;
 }
 
-std::string describeIccColor(const std::string& description) {
-  if (description.starts_with("sRGB")) return "sRGB";
-  return "sRGB assumed: its ICC profile (" + description + ") is not applied";
+/// An s15Fixed16Number.
+double fixedAt(Span bytes, std::size_t at) { return static_cast<std::int32_t>(numberAt(bytes, at)) / 65536.0; }
+
+/// The colour of a tag of XYZType.
+std::optional<glm::dvec3> xyzIn(Span profile, const char (&tag)[5]) {
+  const Span value = tagValue(profile, letters(tag));
+  if (value.size() < 20 || numberAt(value, 0) != letters("XYZ ")) return {};
+  return glm::dvec3(fixedAt(value, 8), fixedAt(value, 12), fixedAt(value, 16));
+}
+
+/// Light of a code by a table of 16-bit numbers.
+double lightByTable(Span table, double code) {
+  const double last = static_cast<double>(table.size() / 2 - 1);
+  const double place = code * last;
+  const auto at = [&](double index) {
+    const auto i = 2 * static_cast<std::size_t>(index);
+    return (table[i] * 256 + table[i + 1]) / 65535.0;
+  };
+  const double below = std::floor(place);
+  return glm::mix(at(below), at(std::min(below + 1.0, last)), place - below);
+}
+
+/// Whether a curve is sRGB's, to what writers round of its numbers.
+template <typename LightOf>
+bool isSrgb(const LightOf& lightOf) {
+  constexpr int kSteps = 64;
+  constexpr double kSame = 1e-3;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double code = i / double{kSteps};
+    const auto light = double{formula::linearFromSrgb1(static_cast<float>(code))};
+    if (!(std::abs(lightOf(code) - light) < kSame)) return false;
+  }
+  return true;
+}
+
+std::optional<TransferCurve> powerCurve(double power) {
+  return power > 0.1 && power < 10.0 ? std::optional(TransferCurve{power}) : std::nullopt;
+}
+
+/// A curve of curveType: none at all, a power, or a table.
+std::optional<TransferCurve> tabulatedCurve(Span value) {
+  const std::size_t count = numberAt(value, 8);
+  if (value.size() < 12 || (value.size() - 12) / 2 < count) return {};
+  if (count == 0) return kLinearLight;
+  if (count == 1) return powerCurve((value[12] * 256 + value[13]) / 256.0);
+  const Span table = value.subspan(12, 2 * count);
+  return isSrgb([&](double code) { return lightByTable(table, code); }) ? std::optional(kSrgbCurve) : std::nullopt;
+}
+
+/// A curve of parametricCurveType: X^g, or (aX + b)^g that is cX below d.
+std::optional<TransferCurve> parametricCurve(Span value) {
+  if (value.size() < 16) return {};
+  const int form = value[8] * 256 + value[9];
+  const double g = fixedAt(value, 12);
+  if (form == 0) return powerCurve(g);
+  if (form != 3 || value.size() < 32) return {};
+  const double a = fixedAt(value, 16), b = fixedAt(value, 20), c = fixedAt(value, 24), d = fixedAt(value, 28);
+  const bool is_srgb = isSrgb([&](double code) { return code < d ? c * code : std::pow(a * code + b, g); });
+  return is_srgb ? std::optional(kSrgbCurve) : std::nullopt;
+}
+
+std::optional<TransferCurve> curveIn(Span profile, const char (&tag)[5]) {
+  const Span value = tagValue(profile, letters(tag));
+  if (numberAt(value, 0) == letters("curv")) return tabulatedCurve(value);
+  return numberAt(value, 0) == letters("para") ? parametricCurve(value) : std::nullopt;
+}
+
+/// The primaries of a matrix, whose columns are adapted to D50: brought back to D65.
+std::optional<Primaries> primariesIn(Span profile) {
+  const auto red = xyzIn(profile, "rXYZ"), green = xyzIn(profile, "gXYZ"), blue = xyzIn(profile, "bXYZ");
+  if (!red || !green || !blue) return {};
+  const glm::dmat3 d65_from_d50 = glm::inverse(adaptation(kD65, kD50));
+  const auto chromaticity = [&](glm::dvec3 xyz) {
+    const glm::dvec3 adapted = d65_from_d50 * xyz;
+    return glm::dvec2(adapted) / (adapted.x + adapted.y + adapted.z);
+  };
+  return Primaries{chromaticity(*red), chromaticity(*green), chromaticity(*blue), kD65};
+}
+
+}  // namespace
+
+IccProfile readIccProfile(Span bytes) {
+  IccProfile profile{.description = descriptionIn(bytes)};
+  const bool is_rgb = numberAt(bytes, 16) == letters("RGB ") && numberAt(bytes, 20) == letters("XYZ ");
+  if (!is_rgb || !tagValue(bytes, letters("A2B0")).empty()) return profile;
+  const auto primaries = primariesIn(bytes);
+  const auto red = curveIn(bytes, "rTRC"), green = curveIn(bytes, "gTRC"), blue = curveIn(bytes, "bTRC");
+  if (!primaries || !arePossible(*primaries) || !red || !green || !blue) return profile;
+  if (red->power != green->power || red->power != blue->power) return profile;
+  profile.is_understood = true;
+  profile.curve = *red;
+  profile.primaries = primaries;
+  return profile;
+}
+
+std::string describeColor(const IccProfile& profile, int channels) {
+  if (profile.is_understood || profile.description.empty())
+    return describeColor(profile.curve, profile.primaries, channels);
+  if (profile.description.starts_with("sRGB")) return "sRGB";
+  return "sRGB assumed: its ICC profile (" + profile.description + ") is not applied";
 }
 
 }  // namespace mirrorball

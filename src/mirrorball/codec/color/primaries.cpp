@@ -32,27 +32,9 @@ glm::dmat3 xyzFromRgb(const Primaries& primaries) {
   return {unscaled[0] * scale.x, unscaled[1] * scale.y, unscaled[2] * scale.z};
 }
 
-/// Whether the primaries span a triangle and the white lies inside it.
-bool arePossible(const Primaries& primaries) {
-  const glm::dvec2 a = primaries.green - primaries.red;
-  const glm::dvec2 b = primaries.blue - primaries.red;
-  if (!(std::abs(a.x * b.y - a.y * b.x) > 1e-6) || !(primaries.white.y > 1e-6)) return false;
-  const glm::dmat3 matrix = xyzFromRgb(primaries);
-  for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r)
-      if (!std::isfinite(matrix[c][r])) return false;
-  return true;
-}
-
 /// Lam's Bradford cone responses (CIE 160:2004 gives the same matrix), row by row.
 const glm::dmat3 kConesFromXyz =
     glm::transpose(glm::dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
-
-glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
-  const glm::dvec3 gain = (kConesFromXyz * xyzOf(to_white)) / (kConesFromXyz * xyzOf(from_white));
-  const glm::dmat3 diagonal(gain.x, 0, 0, 0, gain.y, 0, 0, 0, gain.z);
-  return glm::inverse(kConesFromXyz) * diagonal * kConesFromXyz;
-}
 
 struct NamedPrimaries {
   std::string_view name;
@@ -90,10 +72,30 @@ std::string textOf(const TransferCurve& curve) {
 
 }  // namespace
 
+bool arePossible(const Primaries& primaries) {
+  const glm::dvec2 a = primaries.green - primaries.red;
+  const glm::dvec2 b = primaries.blue - primaries.red;
+  if (!(std::abs(a.x * b.y - a.y * b.x) > 1e-6) || !(primaries.white.y > 1e-6)) return false;
+  const glm::dmat3 matrix = xyzFromRgb(primaries);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!std::isfinite(matrix[c][r])) return false;
+  return true;
+}
+
+glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
+  const glm::dvec3 gain = (kConesFromXyz * xyzOf(to_white)) / (kConesFromXyz * xyzOf(from_white));
+  const glm::dmat3 diagonal(gain.x, 0, 0, 0, gain.y, 0, 0, 0, gain.z);
+  return glm::inverse(kConesFromXyz) * diagonal * kConesFromXyz;
+}
+
 std::optional<glm::mat3> rec709FromPrimaries(const Primaries& primaries) {
   if (!arePossible(primaries) || areNear(primaries, kRec709)) return {};
-  return glm::mat3(glm::inverse(xyzFromRgb(kRec709)) * adaptation(primaries.white, kRec709.white) *
-                   xyzFromRgb(primaries));
+  return glm::mat3(rec709Matrix(primaries));
+}
+
+glm::dmat3 rec709Matrix(const Primaries& primaries) {
+  return glm::inverse(xyzFromRgb(kRec709)) * adaptation(primaries.white, kRec709.white) * xyzFromRgb(primaries);
 }
 
 std::string describeColor(const TransferCurve& curve, const std::optional<Primaries>& stated, int channels) {
@@ -110,14 +112,15 @@ void convertToRec709(Image& image, const std::optional<Primaries>& stated) {
   if (const auto matrix = rec709FromPrimaries(*stated)) transformColors(image, *matrix);
 }
 
-void transformColors(Image& image, const glm::mat3& matrix) {
+void transformColors(Image& image, const glm::mat3& matrix, float rounding) {
   constexpr std::size_t kTexelsPerPiece = 1 << 15;
   const std::size_t stride = std::size_t(image.channels());
   parallelFor(image.texelCount(), kTexelsPerPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float* texel = image.samples().data() + i * stride;
       const glm::vec3 color = matrix * glm::vec3(texel[0], texel[1], texel[2]);
-      for (int c = 0; c < 3; ++c) texel[c] = color[c];
+      const float least = -rounding * std::max({color.x, color.y, color.z});
+      for (int c = 0; c < 3; ++c) texel[c] = color[c] < 0.0f && color[c] > least ? 0.0f : color[c];
     }
   });
 }

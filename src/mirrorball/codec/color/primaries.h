@@ -19,6 +19,8 @@ struct Primaries {
 };
 
 inline constexpr glm::dvec2 kD65{0.3127, 0.3290};
+/// Of ICC's profile connection space: XYZ 0.9642, 1, 0.8249 (ICC.1:2022, 7.2.16).
+inline constexpr glm::dvec2 kD50{0.345703, 0.358539};
 inline constexpr glm::dvec2 kAcesWhite{0.32168, 0.33767};
 
 /// ITU-R BT.709: what every image inside the program has.
@@ -35,12 +37,21 @@ inline constexpr Primaries kAcesAp1{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.04
 /// X, Y and Z themselves, as EXR files of CIE XYZ state them.
 inline constexpr Primaries kCieXyz{{1.0, 0.0}, {0.0, 1.0}, {0.0, 0.0}, {1.0 / 3.0, 1.0 / 3.0}};
 
+/// Whether the primaries span a triangle, and make the white by finite shares.
+bool arePossible(const Primaries& primaries);
+
+/// Bradford's transform of XYZ from one white point to another.
+glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white);
+
 /// The matrix that brings linear colours of other primaries to Rec.709. Where the white points
 /// differ, colours are adapted by the Bradford transform, so that (1, 1, 1) stays (1, 1, 1).
 ///
 /// returns  nothing where there is nothing to do: the primaries are Rec.709's, or they are none
 ///          (writers leave them all zero)
 std::optional<glm::mat3> rec709FromPrimaries(const Primaries& primaries);
+
+/// That matrix in double precision, of primaries that span a triangle with the white inside.
+glm::dmat3 rec709Matrix(const Primaries& primaries);
 
 /// How a file's samples stand for light.
 struct TransferCurve {
@@ -63,6 +74,8 @@ std::string describeColor(const TransferCurve& curve, const std::optional<Primar
 void convertToRec709(Image& image, const std::optional<Primaries>& stated);
 
 /// Multiplies the first three channels of every texel.
-void transformColors(Image& image, const glm::mat3& matrix);
+///
+/// rounding  channels that are negative by less than this share of the greatest become 0
+void transformColors(Image& image, const glm::mat3& matrix, float rounding = 0.0f);
 
 }  // namespace mirrorball

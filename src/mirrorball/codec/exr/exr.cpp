@@ -99,10 +99,17 @@ std::vector<half> halvesOf(const Image& image) {
   return halves;
 }
 
-Imf::Header headerFor(const Image& image, const Metadata& metadata) {
+Imf::Chromaticities chromaticitiesIn(const Primaries& primaries) {
+  const auto point = [](glm::dvec2 xy) { return Imath::V2f(float(xy.x), float(xy.y)); };
+  return {point(primaries.red), point(primaries.green), point(primaries.blue), point(primaries.white)};
+}
+
+Imf::Header headerFor(const Image& image, const ImageWriteOptions& options) {
   Imf::Header header(image.width(), image.height());
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [key, value] : metadata) {
+  // Those of Rec.709 too: they are what a file without them means, but not all readers know.
+  if (image.channels() >= 3) Imf::addChromaticities(header, chromaticitiesIn(chromaticitiesOf(options.primaries)));
+  for (const auto& [key, value] : options.metadata) {
     if (key == "envmap")
       Imf::addEnvmap(header, value == "cube" ? Imf::ENVMAP_CUBE : Imf::ENVMAP_LATLONG);
     else
@@ -145,7 +152,7 @@ class ChannelWriter {
 };
 
 Bytes encode(const Image& image, const ImageWriteOptions& options) {
-  Imf::Header header = headerFor(image, options.metadata);
+  Imf::Header header = headerFor(image, options);
   ChannelWriter channels(header, options.half);
   channels.add(image, "",
                image.channels() == 1 ? "Y" : std::string_view("RGBA").substr(0, std::size_t(image.channels())));

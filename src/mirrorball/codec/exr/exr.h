@@ -19,8 +19,8 @@ namespace mirrorball {
 ///          deep data); interrupted (when `progress` says so)
 Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
-/// Encodes 1 (Y), 3 or 4 channels, and layers beside them, as scan lines with ZIP compression. NaN and infinity are
-/// kept; with `half`, finite values beyond ±65504 become ±65504.
+/// Encodes 1 (Y), 3 or 4 channels, and layers beside them, as scan lines with ZIP compression. Colours' primaries are
+/// stated. NaN and infinity are kept; with `half`, finite values beyond ±65504 become ±65504.
 ///
 /// errors   too_large (memory)
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options);

@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include <ImfInputFile.h>
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
@@ -230,6 +231,31 @@ TEST(ExrForms, ChromaticitiesAreConverted) {
     EXPECT_EQ(back.image.texel(1, 0)[3], 0.25f);
     EXPECT_THAT(back.color, ::testing::EndsWith("): converted"));
   }
+}
+
+TEST(ExrForms, PrimariesAreAlwaysStatedAndComeBack) {
+  for (const OutputPrimaries primaries :
+       {OutputPrimaries::rec709, OutputPrimaries::p3, OutputPrimaries::rec2020, OutputPrimaries::acescg}) {
+    Image light(2, 1, 4, 0.25f);
+    light.texel(0, 0)[1] = 1e5f;
+    light.texel(1, 0)[2] = -0.125f;
+    Image image = light;
+    convertFromRec709(image, primaries);
+    const Bytes file = *encodeExr(image, {.metadata = {}, .primaries = primaries});
+    ExrInput stream(file);
+    const Imf::Header header = Imf::InputFile(stream).header();
+    ASSERT_TRUE(Imf::hasChromaticities(header));
+    const Imf::Chromaticities expected = chromaticities(chromaticitiesOf(primaries));
+    EXPECT_EQ(Imf::chromaticities(header).red, expected.red);
+    EXPECT_EQ(Imf::chromaticities(header).white, expected.white);
+    const Image back = decoded(file).image;
+    for (int x = 0; x < 2; ++x)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(back.texel(x, 0)[c], light.texel(x, 0)[c], x == 0 && c < 3 ? 0.2f : 1e-6f) << x << " " << c;
+  }
+  const Bytes grey = *encodeExr(Image(1, 1, 1, 0.5f), {.metadata = {}, .primaries = OutputPrimaries::p3});
+  ExrInput stream(grey);
+  EXPECT_FALSE(Imf::hasChromaticities(Imf::InputFile(stream).header())) << "which has no colours";
 }
 
 // ITU-R BT.2407-0, eq. 4: Rec.2020's red.

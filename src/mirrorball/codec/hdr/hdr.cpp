@@ -102,7 +102,7 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes) {
                       describeColor(header)};
 }
 
-Bytes encodeHdr(const Image& image, const Metadata& metadata) {
+Bytes encodeHdr(const Image& image, const Metadata& metadata, OutputPrimaries primaries) {
   std::vector<Bytes> lines(std::size_t(image.height()));
   parallelFor(lines.size(), linesPerPiece(std::size_t(image.width())), [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) lines[y] = encodeLine(image, static_cast<int>(y));
@@ -110,6 +110,7 @@ Bytes encodeHdr(const Image& image, const Metadata& metadata) {
 
   std::string header = "#?RADIANCE\n";
   for (const auto& [key, value] : metadata) header += "# " + metadataLine(key, value) + "\n";
+  if (primaries != OutputPrimaries::rec709) header += primariesLine(chromaticitiesOf(primaries)) + "\n";
   header +=
       "FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height()) + " +X " + std::to_string(image.width()) + "\n";
   Bytes bytes(header.begin(), header.end());

@@ -29,6 +29,8 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes);
 
 /// Encodes the first three channels (or the one, as grey) as RGBE in new RLE. Mantissas are rounded
 /// to nearest; what is negative or NaN becomes 0, and what is too bright the brightest that can be.
-Bytes encodeHdr(const Image& image, const Metadata& metadata);
+///
+/// primaries  that the image has; the header states those that are not Rec.709's, which few parsers expect there
+Bytes encodeHdr(const Image& image, const Metadata& metadata, OutputPrimaries primaries = OutputPrimaries::rec709);
 
 }  // namespace mirrorball

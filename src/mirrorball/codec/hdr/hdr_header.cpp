@@ -136,6 +136,13 @@ Result<void> readResolution(std::string_view line, const LineReader& reader, Hdr
 
 }  // namespace
 
+std::string primariesLine(const Primaries& primaries) {
+  std::string line = "PRIMARIES=";
+  for (const glm::dvec2 xy : {primaries.red, primaries.green, primaries.blue, primaries.white})
+    line += (line.back() == '=' ? "" : " ") + formatNumber(xy.x) + " " + formatNumber(xy.y);
+  return line;
+}
+
 Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes) {
   LineReader reader(bytes);
   HdrHeader header;

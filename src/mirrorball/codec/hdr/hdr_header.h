@@ -30,6 +30,9 @@ struct HdrHeader {
   std::size_t lineLength() const { return std::size_t(columns ? height : width); }
 };
 
+/// "PRIMARIES=0.68 0.32 …": x and y of red, green, blue and white.
+std::string primariesLine(const Primaries& primaries);
+
 /// Parses the header: text lines, an empty line, the resolution line.
 ///
 /// errors   bad_file, too_large or unsupported, with the line's number

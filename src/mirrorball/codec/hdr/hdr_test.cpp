@@ -1,5 +1,6 @@
 #include "mirrorball/codec/hdr/hdr.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -205,6 +206,30 @@ TEST(Hdr, PrimariesAreConvertedUnlessTheyAreNone) {
   EXPECT_EQ(red("0 0 0 0 0 0 0 0"), glm::vec3(1, 0, 0));
   EXPECT_EQ(red("0.640 0.330 0.300 0.600 0.150 0.060 0.3127 0.3290"), glm::vec3(1, 0, 0));
   EXPECT_NEAR(red("0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290").x, 1.6605f, 1e-3f);
+}
+
+TEST(Hdr, PrimariesOtherThanRec709AreStated) {
+  const auto text = [](OutputPrimaries primaries) {
+    const Bytes bytes = encodeHdr(Image(1, 1, 3, 1.0f), {}, primaries);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_THAT(text(OutputPrimaries::acescg),
+              HasSubstr("\nPRIMARIES=0.713 0.293 0.165 0.83 0.128 0.044 0.32168 0.33767\nFORMAT="));
+  EXPECT_THAT(text(OutputPrimaries::rec709), ::testing::Not(HasSubstr("PRIMARIES")));
+}
+
+TEST(Hdr, LightOfOtherPrimariesComesBackToAMantissasDigits) {
+  const std::array<const char*, 3> names{"Display P3", "Rec.2020", "ACES AP1"};
+  for (const OutputPrimaries primaries : {OutputPrimaries::p3, OutputPrimaries::rec2020, OutputPrimaries::acescg}) {
+    const glm::vec3 light(1e5f, 2.5e4f, 5e4f);
+    Image image = oneTexel(light);
+    convertFromRec709(image, primaries);
+    const auto back = decodeHdr(encodeHdr(image, {}, primaries));
+    ASSERT_TRUE(back);
+    // Half a step of 8 bits, and what the way back makes of it.
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgbAt(back->image, 0, 0)[c], light[c], 1.7f * 1e5f / 256.0f);
+    EXPECT_THAT(back->color, HasSubstr(names[static_cast<std::size_t>(primaries) - 1]));
+  }
 }
 
 // Each program that touches a picture adds its lines; the last PRIMARIES tell what stands there now.

@@ -99,9 +99,13 @@ Result<DecodedImage> decodeAvif(Span bytes) {
   MIRRORBALL_TRY(picture, pictureOf(*decoder, 16, bytes.size()));
   const avifImage& image = *decoder->image;
   std::string format = "AVIF, " + std::to_string(image.depth) + " bits";
-  if (image.icc.size > 0)
-    return DecodedImage{
-        lightOf(picture), {}, std::move(format), describeIccColor(iccDescription({image.icc.data, image.icc.size}))};
+  if (image.icc.size > 0) {
+    const IccProfile profile = readIccProfile({image.icc.data, image.icc.size});
+    Image light = lightOf(picture, profile.curve);
+    convertToRec709(light, profile.primaries);
+    std::string stated = describeColor(profile, light.channels());
+    return DecodedImage{std::move(light), {}, std::move(format), std::move(stated)};
+  }
   const CodedColor color = codedColor(image.colorPrimaries, image.transferCharacteristics);
   Image light = sharesOf(picture);
   decodeColor(light, color);

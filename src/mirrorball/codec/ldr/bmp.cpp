@@ -312,14 +312,14 @@ Result<BmpPicture> readBmpPicture(Span bytes) {
   return BmpPicture{header, std::move(picture)};
 }
 
-/// What an embedded ICC profile calls itself; empty where there is none.
-std::string bmpIccDescription(const BmpHeader& header, Span bytes) {
+/// The embedded ICC profile, if there is one.
+IccProfile bmpProfile(const BmpHeader& header, Span bytes) {
   constexpr std::uint32_t kEmbedded = 0x4d424544;  // "MBED"
   if (header.size < kFifthHeader || littleU32(&bytes[kFileHeader + 56]) != kEmbedded) return {};
   const std::size_t at = kFileHeader + std::size_t{littleU32(&bytes[kFileHeader + 112])};
   const std::size_t size = littleU32(&bytes[kFileHeader + 116]);
-  if (at > bytes.size() || size > bytes.size() - at) return "unnamed";
-  return iccDescription(bytes.subspan(at, size));
+  if (at > bytes.size() || size > bytes.size() - at) return readIccProfile({});
+  return readIccProfile(bytes.subspan(at, size));
 }
 
 }  // namespace
@@ -331,12 +331,13 @@ bool isBmp(Span bytes) {
 
 Result<DecodedImage> decodeBmp(Span bytes) {
   MIRRORBALL_TRY(picture, readBmpPicture(bytes));
-  Image light = lightOf(picture.codes);
+  const IccProfile profile = bmpProfile(picture.header, bytes);
+  Image light = lightOf(picture.codes, profile.curve);
+  convertToRec709(light, profile.primaries);
   std::string format = "BMP, " + std::to_string(picture.header.bits) + " bit";
   if (picture.header.hasPalette()) format += " palette";
   if (picture.header.isRunLengthCoded()) format += ", RLE";
-  const std::string profile = bmpIccDescription(picture.header, bytes);
-  std::string color = profile.empty() ? describeColor(kSrgbCurve, {}, light.channels()) : describeIccColor(profile);
+  std::string color = describeColor(profile, light.channels());
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 

@@ -113,9 +113,13 @@ TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
   }
 }
 
-TEST(Bmp, AProfileIsNamed) {
-  const testing::BmpForm form{.header = 124, .width = 1, .height = 1, .profile = testing::iccProfile("Display P3")};
+TEST(Bmp, AProfileIsNamedAndOneOfAMatrixConverted) {
+  testing::BmpForm form{.header = 124, .width = 1, .height = 1, .profile = testing::iccProfile("Display P3")};
   EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 0}))->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  form.profile = testing::iccDisplayP3();
+  const auto green = decodeBmp(bmpOf(form, {0, 255, 0, 0}));
+  EXPECT_EQ(green->color, "sRGB, primaries of the file (Display P3): converted");
+  EXPECT_NEAR(green->image.samples()[0], -0.2249f, 1e-3f);  // the inverse of P3's matrix from sRGB, CSS Color 4
 }
 
 TEST(Bmp, WhatCannotBeReadIsNamed) {

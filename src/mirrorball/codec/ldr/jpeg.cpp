@@ -167,21 +167,21 @@ Result<void> readJpegHeader(Decompressor& decoder, std::span<const std::uint8_t>
   return {};
 }
 
-/// What an ICC profile in the file's markers calls itself; empty where there is none.
-std::string jpegIccDescription(Decompressor& decoder) {
+/// The ICC profile in the file's markers, if there is one.
+IccProfile jpegProfile(Decompressor& decoder) {
   JOCTET* profile = nullptr;
   unsigned size = 0;
   boolean found = FALSE;
   const bool read =
       guardedFromJpeg(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
   const std::unique_ptr<JOCTET, decltype(&std::free)> owner(profile, &std::free);
-  return read && found ? iccDescription({profile, size}) : "";
+  return read && found ? readIccProfile({profile, size}) : IccProfile{};
 }
 
 struct Decoded {
   Image8 picture;
   Metadata metadata;
-  std::string icc_description;  ///< empty: there is no ICC profile
+  IccProfile profile;
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
@@ -190,7 +190,7 @@ Result<Decoded> readJpegPicture(std::span<const std::uint8_t> bytes, bool textur
   MIRRORBALL_TRY_VOID(readJpegHeader(decoder, bytes));
   jpeg_decompress_struct& codec = decoder.codec;
   Metadata metadata = readComments(codec);  // which finishing the decoding forgets, as it does the profile
-  std::string icc_description = jpegIccDescription(decoder);
+  IccProfile profile = jpegProfile(decoder);
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
@@ -208,7 +208,7 @@ Result<Decoded> readJpegPicture(std::span<const std::uint8_t> bytes, bool textur
     jpeg_finish_decompress(&codec);
   });
   if (!decoded) return jpegFailure(decoder, bytes.size());
-  return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
+  return Decoded{std::move(picture), std::move(metadata), std::move(profile)};
 }
 
 constexpr int kPictureQuality = 95;
@@ -283,10 +283,12 @@ Result<Bytes> encodedWith(int quality, const Image8& picture, const Metadata& me
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(decoded, readJpegPicture(bytes, false));
-  std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
-                                                      : describeIccColor(decoded.icc_description);
-  DecodedImage image{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
+  const IccProfile& profile = decoded.profile;
+  DecodedImage image{linearFromPicture(decoded.picture, profile.curve), std::move(decoded.metadata), "JPEG, 8 bit",
+                     describeColor(profile, decoded.picture.channels())};
+  // Gains are of the picture's own channels.
   MIRRORBALL_TRY_VOID(applyGainMap(bytes, image));
+  convertToRec709(image.image, profile.primaries);
   return image;
 }
 
@@ -310,7 +312,8 @@ Result<Bytes> encodeJpegWithGainMap(const Image8& picture, const Image& light, c
 FormatCodec jpegCodec() {
   return {.decode = withoutProgress<decodeJpeg>,
           .decode_texture = decodeJpegTexture,
-          .encode_picture = encodeJpeg,
+          .encode_picture = [](const Image8& picture, const Metadata& metadata,
+                               OutputPrimaries) { return encodeJpeg(picture, metadata); },
           .encode_with_gain_map = encodeJpegWithGainMap,
           .picture_channels = 3};
 }

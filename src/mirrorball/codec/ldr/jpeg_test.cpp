@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 
 #include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/written_format_testing.h"
@@ -125,7 +126,22 @@ TEST(Jpeg, MetadataComesBack) {
   EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata))->metadata, metadata);
 }
 
-TEST(Jpeg, AProfileIsNamedAndNotApplied) {
+TEST(Jpeg, AProfileOfAMatrixIsConverted) {
+  Image8 orange(8, 8, 3, 128);
+  for (int i = 0; i < 64; ++i) orange.texel(i % 8, i / 8)[0] = 255;
+  const Bytes plain = encoded(orange);
+  const glm::vec3 codes = rgbAt(decodeJpeg(plain)->image, 4, 4);
+  const auto p3 = decodeJpeg(testing::jpegWithProfile(plain, testing::iccDisplayP3()));
+  ASSERT_TRUE(p3) << p3.error().message;
+  EXPECT_EQ(p3->color, "sRGB, primaries of the file (Display P3): converted");
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * codes;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgbAt(p3->image, 4, 4)[c], expected[c], 1e-3f);
+  EXPECT_EQ(decodeJpegTexture(testing::jpegWithProfile(plain, testing::iccDisplayP3()))->samples()[0],
+            decodeJpegTexture(plain)->samples()[0])
+      << "textures are left as they stand";
+}
+
+TEST(Jpeg, AProfileOfANameAloneIsNotApplied) {
   const Bytes plain = encoded(Image8(9, 9, 3, 128));
   const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")));
   ASSERT_TRUE(adobe) << adobe.error().message;

@@ -58,7 +58,7 @@ std::string profileName(const JxlDecoder* decoder) {
   if (!askOfSamples(JxlDecoderGetICCProfileSize, decoder, &size)) return {};
   std::vector<std::uint8_t> profile(size);
   if (!askOfSamples(JxlDecoderGetColorAsICCProfile, decoder, profile.data(), profile.size())) return {};
-  return iccDescription(profile);
+  return readIccProfile(profile).description;
 }
 
 CodedColor colorOf(const JxlColorEncoding& encoding) {
@@ -163,8 +163,9 @@ Result<DecodedImage> decodeJxl(Span bytes) {
   decodeColor(image, file.color());
   std::string format =
       "JPEG XL, " + std::to_string(file.info().bits_per_sample) + (file.isOfFloats() ? "-bit floats" : " bits");
-  std::string color =
-      file.profile().empty() ? describeColor(file.color(), image.channels()) : describeIccColor(file.profile());
+  std::string color = file.profile().empty()
+                          ? describeColor(file.color(), image.channels())
+                          : describeColor(IccProfile{.description = file.profile()}, image.channels());
   return DecodedImage{std::move(image), {}, std::move(format), std::move(color)};
 }
 

@@ -176,6 +176,7 @@ Result<void> checkChunks(std::span<const std::uint8_t> bytes) {
 Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   const bool read = guardedFromPng(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
+    keepPngColor(reader.png);
     png_read_info(reader.png, reader.info);
   });
   if (!read) return damaged(reader);
@@ -248,6 +249,11 @@ Result<CodedPng> readCodes(std::span<const std::uint8_t> bytes) {
 }
 
 Image lightOf(const Pixels& pixels, const CodedPicture& codes) {
+  if (pixels.color.coded) {
+    Image light = sharesOf(codes);
+    decodeColor(light, *pixels.color.coded);
+    return light;
+  }
   Image light = lightOf(codes, pixels.color.curve);
   convertToRec709(light, pixels.color.primaries);
   return light;
@@ -289,7 +295,7 @@ Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes) {
   return picture;
 }
 
-Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputPrimaries primaries) {
   Writer writer;
   if (!writer.info) return fail(ErrorCode::too_large, "not enough memory to encode it");
   std::vector<png_text> texts;
@@ -308,7 +314,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width()),
                  static_cast<png_uint_32>(picture.height()), 8, colorType(picture.channels()), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    writePngColor(writer.png, writer.info, primaries);
     png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(writer.png, writer.info);
     for (int y = 0; y < picture.height(); ++y) png_write_row(writer.png, picture.row(y).data());

@@ -12,8 +12,8 @@
 namespace mirrorball {
 
 /// Decodes a PNG of any colour type and depth to linear light, 16-bit samples with all their
-/// precision. Grey stays one channel unless it has alpha. Samples are taken as sRGB: gAMA, cHRM and
-/// iCCP are ignored.
+/// precision. Grey stays one channel unless it has alpha. What the file says of its colour is
+/// converted (png_color.h), but for an ICC profile.
 ///
 /// errors   bad_file; too_large
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes);
@@ -24,10 +24,13 @@ Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes);
 /// Decodes to the codes as stored, 16 bits with all their digits.
 Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes);
 
-/// Encodes 1 (grey), 3 or 4 channels of 8 bits, marked as sRGB; metadata as tEXt.
+/// Encodes 1 (grey), 3 or 4 channels of 8 bits, marked as sRGB or as sRGB's curve with other primaries; metadata as
+/// tEXt.
 ///
-/// errors   too_large (memory); bad_shape (a side above 2³¹ − 1)
-Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata);
+/// primaries  that the picture has: not ACEScg's
+/// errors     too_large (memory); bad_shape (a side above 2³¹ − 1)
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata,
+                        OutputPrimaries primaries = OutputPrimaries::rec709);
 
 /// For the registry of formats.
 FormatCodec pngCodec();

@@ -1,7 +1,11 @@
 #include "mirrorball/codec/ldr/png.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <string_view>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -205,6 +209,55 @@ TEST(PngColor, PrimariesAreConverted) {
   EXPECT_EQ(back.color, "linear, primaries of the file (Rec.2020): converted");
 }
 
+/// Adds a chunk cICP: primaries, curve, matrix and range by ITU-T H.273.
+void addCodePoints(png_structp png, png_infop info, std::array<png_byte, 4> numbers) {
+  png_unknown_chunk chunk{{'c', 'I', 'C', 'P', 0}, numbers.data(), numbers.size(), PNG_HAVE_IHDR};
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, chunk.name, 1);
+  png_set_unknown_chunks(png, info, &chunk, 1);
+}
+
+TEST(PngColor, CodePointsGoBeforeAllOthers) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    addCodePoints(png, info, {12, 13, 0, 1});
+    png_set_gAMA_fixed(png, info, 100000);
+    png_set_cHRM_fixed(png, info, 31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600);
+  });
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * glm::vec3(1.0f, linear(128.0f / 255.0f), 0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.image.samples()[std::size_t(c)], expected[c], 1e-6f);
+  EXPECT_EQ(back.color, "sRGB, primaries of the file (Display P3): converted");
+  // PQ's greatest code is 10000 cd/m², and 1 is graphics white.
+  const DecodedImage pq = orangeWith([](auto png, auto info) { addCodePoints(png, info, {9, 16, 0, 1}); });
+  EXPECT_NEAR(pq.image.samples()[0], 1.6605f * 10000.0f / 203.0f, 0.6f);
+  EXPECT_EQ(pq.color, "PQ, primaries of the file (Rec.2020): converted");
+}
+
+TEST(PngColor, CodePointsOfOtherThanFullRgbArePassedOver) {
+  for (const std::array<png_byte, 4> numbers : {std::array<png_byte, 4>{9, 16, 1, 1}, {9, 16, 0, 0}})
+    EXPECT_EQ(orangeWith([&](auto png, auto info) { addCodePoints(png, info, numbers); }).color, "sRGB");
+}
+
+TEST(PngColor, WiderPrimariesAreStatedForOldReadersToo) {
+  const auto has = [](const Bytes& bytes, std::string_view chunk) {
+    return std::search(bytes.begin(), bytes.end(), chunk.begin(), chunk.end()) != bytes.end();
+  };
+  using namespace std::string_view_literals;
+  const Image8 picture = pictureFromLinear(gradient(7, 3, 4), 4);
+  for (const auto& [primaries, chunk, name] :
+       {std::tuple(OutputPrimaries::p3, "\0\0\0\4cICP\x0c\x0d\0\1"sv, "Display P3"),
+        std::tuple(OutputPrimaries::rec2020, "\0\0\0\4cICP\x09\x0d\0\1"sv, "Rec.2020")}) {
+    const Bytes bytes = *encodePng(picture, {}, primaries);
+    EXPECT_TRUE(has(bytes, chunk)) << name;
+    EXPECT_TRUE(has(bytes, "cHRM") && has(bytes, "gAMA") && !has(bytes, "sRGB")) << name;
+    EXPECT_EQ(light(bytes).color, std::string("sRGB, primaries of the file (") + name + "): converted");
+    EXPECT_THAT(texture(bytes).samples(), ::testing::ElementsAreArray(picture.samples()));
+    Image back = light(bytes).image;
+    convertFromRec709(back, primaries);
+    EXPECT_THAT(pictureFromLinear(back, 4).samples(), ::testing::ElementsAreArray(picture.samples()));
+  }
+  const Bytes plain = *encodePng(picture, {});
+  EXPECT_TRUE(has(plain, "sRGB") && !has(plain, "cICP") && !has(plain, "cHRM"));
+}
+
 TEST(PngColor, TheChunkSrgbGoesBeforeTheOthers) {
   const DecodedImage back =
       orangeWith([](auto png, auto info) { png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL); });
@@ -212,7 +265,17 @@ TEST(PngColor, TheChunkSrgbGoesBeforeTheOthers) {
   EXPECT_EQ(back.color, "sRGB");
 }
 
-TEST(PngColor, AProfileIsNamedAndNotApplied) {
+TEST(PngColor, AProfileOfAMatrixIsConverted) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    const Bytes profile = testing::iccDisplayP3();
+    png_set_iCCP(png, info, "any", PNG_COMPRESSION_TYPE_BASE, profile.data(), static_cast<png_uint_32>(profile.size()));
+  });
+  EXPECT_EQ(back.color, "sRGB, primaries of the file (Display P3): converted");
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * glm::vec3(1.0f, linear(128.0f / 255.0f), 0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.image.samples()[std::size_t(c)], expected[c], 1e-3f);
+}
+
+TEST(PngColor, AProfileOfANameAloneIsNotApplied) {
   const DecodedImage back = orangeWith([](auto png, auto info) {
     const Bytes profile = testing::iccProfile("Display P3");
     png_set_text_compression_level(png, 0);  // libpng takes a chunk of less than 92 bytes for none

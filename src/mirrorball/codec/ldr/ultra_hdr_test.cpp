@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/gain_map_metadata.h"
@@ -59,6 +61,22 @@ void expectEvenLight(const Bytes& bytes) {
   ASSERT_EQ(decoded->image.width(), 16);
   ASSERT_EQ(decoded->image.channels(), 3);
   EXPECT_THAT(decoded->image.samples(), Each(AllOf(Ge(kEvenLight * 0.99f), Le(kEvenLight * 1.01f))));
+}
+
+TEST(UltraHdr, APictureInP3HasItsGainsThereAndIsConverted) {
+  Image8 green(16, 8, 3, 0);
+  for (int i = 0; i < 128; ++i) green.texel(i % 16, i / 16)[1] = 200;
+  const Bytes plain = *encodeJpeg(green, {});
+  const Bytes map = *encodeJpeg(Image8(8, 4, 3, 204), {});
+  const glm::vec3 light = rgbAt(decodeJpeg(joinedUltraHdr(plain, map, kFourStops))->image, 5, 5);
+  const Bytes in_p3 = joinedUltraHdr(testing::jpegWithProfile(plain, testing::iccDisplayP3()), map, kFourStops);
+  const auto decoded = decodeJpeg(in_p3);
+  ASSERT_TRUE(decoded) << decoded.error().message;
+  EXPECT_EQ(decoded->gain_map, GainMapUse::applied);
+  EXPECT_EQ(decoded->color, "sRGB, primaries of the file (Display P3): converted");
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * light;
+  EXPECT_LT(expected.x, 0.0f) << "beyond Rec.709";
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgbAt(decoded->image, 5, 5)[c], expected[c], 2e-3f * light.y);
 }
 
 TEST(UltraHdr, IsReadAsLight) {

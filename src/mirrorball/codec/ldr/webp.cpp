@@ -55,15 +55,15 @@ Result<Image8> readWebpPicture(Span bytes, bool texture, WebPBitstreamFeatures& 
   return picture;
 }
 
-/// What an ICC profile in the file calls itself; empty where there is none.
-std::string webpIccDescription(Span bytes) {
+/// The ICC profile in the file, if there is one.
+IccProfile webpProfile(Span bytes) {
   const WebPData data{bytes.data(), bytes.size()};
   const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> demuxer(WebPDemux(&data), &WebPDemuxDelete);
   WebPChunkIterator chunk;
   if (!demuxer || WebPDemuxGetChunk(demuxer.get(), "ICCP", 1, &chunk) == 0) return {};
-  std::string description = iccDescription({chunk.chunk.bytes, chunk.chunk.size});
+  IccProfile profile = readIccProfile({chunk.chunk.bytes, chunk.chunk.size});
   WebPDemuxReleaseChunkIterator(&chunk);
-  return description;
+  return profile;
 }
 
 }  // namespace
@@ -73,9 +73,10 @@ Result<DecodedImage> decodeWebp(Span bytes) {
   MIRRORBALL_TRY(picture, readWebpPicture(bytes, false, features));
   constexpr std::string_view kForms[]{"", ", lossy", ", lossless"};
   std::string format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)]);
-  const std::string profile = webpIccDescription(bytes);
-  std::string color = profile.empty() ? describeColor(kSrgbCurve, {}, picture.channels()) : describeIccColor(profile);
-  return DecodedImage{linearFromPicture(picture), {}, std::move(format), std::move(color)};
+  const IccProfile profile = webpProfile(bytes);
+  Image light = linearFromPicture(picture, profile.curve);
+  convertToRec709(light, profile.primaries);
+  return DecodedImage{std::move(light), {}, std::move(format), describeColor(profile, picture.channels())};
 }
 
 Result<Image8> decodeWebpTexture(Span bytes) {

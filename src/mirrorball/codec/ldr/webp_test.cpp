@@ -54,11 +54,15 @@ TEST(Webp, LossyComesBackWithinItsQuality) {
   EXPECT_EQ(decodeWebp(webpOf(smooth, 95))->format, "WebP, lossy");
 }
 
-TEST(Webp, AProfileIsNamed) {
+TEST(Webp, AProfileIsNamedAndOneOfAMatrixConverted) {
   const Bytes bytes = testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccProfile("Display P3"));
   const auto image = decodeWebp(bytes);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  const auto p3 = decodeWebp(testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccDisplayP3()));
+  ASSERT_TRUE(p3) << p3.error().message;
+  EXPECT_EQ(p3->color, "sRGB, primaries of the file (Display P3): converted");
+  EXPECT_GT(std::abs(p3->image.samples()[0] - image->image.samples()[0]), 1e-4f);
 }
 
 TEST(Webp, AnAnimationIsRefused) {

@@ -16,7 +16,11 @@ constexpr std::size_t kSampleSize = 16;
 constexpr std::uint16_t kVersion = 2;  // KHR_DF_VERSIONNUMBER_1_3, which 1.4 keeps
 constexpr std::uint8_t kModelRgbsda = 1;
 constexpr std::uint8_t kModelBc6h = 133;
+// KHR_DF_PRIMARIES_*
 constexpr std::uint8_t kPrimariesBt709 = 1;
+constexpr std::uint8_t kPrimariesBt2020 = 4;
+constexpr std::uint8_t kPrimariesAcesCc = 7;  // AP1, which ACEScg shares; the curve is stated beside it
+constexpr std::uint8_t kPrimariesDisplayP3 = 10;
 constexpr std::uint8_t kTransferLinear = 1;
 constexpr std::uint8_t kTransferSrgb = 2;
 
@@ -93,18 +97,31 @@ std::optional<Primaries> primariesOf(int number) {
       return kRec601Of625Lines;
     case 3:  // as SMPTE 170M
       return kRec601Of525Lines;
-    case 4:
+    case kPrimariesBt2020:
       return kRec2020;
     case 6:  // ACES 2065-1
       return kAcesAp0;
-    case 7:  // ACEScc
+    case kPrimariesAcesCc:
       return kAcesAp1;
-    case 10:
+    case kPrimariesDisplayP3:
       return kDisplayP3;
     case 11:
       return kAdobeRgb;
     default:
       return {};
+  }
+}
+
+std::uint8_t primariesNumber(OutputPrimaries primaries) {
+  switch (primaries) {
+    case OutputPrimaries::p3:
+      return kPrimariesDisplayP3;
+    case OutputPrimaries::rec2020:
+      return kPrimariesBt2020;
+    case OutputPrimaries::acescg:
+      return kPrimariesAcesCc;
+    default:
+      return kPrimariesBt709;
   }
 }
 
@@ -130,7 +147,7 @@ Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> by
   return color;
 }
 
-Bytes dataFormatDescriptor(TexelFormat format) {
+Bytes dataFormatDescriptor(TexelFormat format, OutputPrimaries primaries) {
   const std::vector<Sample> samples = samplesOf(format);
   const std::size_t block_size = kBlockSize + samples.size() * kSampleSize;
   LittleEndianWriter writer;
@@ -141,7 +158,7 @@ Bytes dataFormatDescriptor(TexelFormat format) {
   const StoredFormat stored = storedFormat(format);
   const auto side = static_cast<std::uint8_t>(blockSide(stored) - 1);
   writer.u8(modelOf(format));
-  writer.u8(kPrimariesBt709);
+  writer.u8(primariesNumber(primaries));
   writer.u8(kTransferLinear);
   writer.u8(0);     // straight alpha
   writer.u8(side);  // of a block, less one: across, down, and in two more dimensions

@@ -30,7 +30,7 @@ struct DescribedColor {
 Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
                                                 std::size_t size);
 
-/// The descriptor of one of the formats that are written: linear light, Rec.709, straight alpha.
-Bytes dataFormatDescriptor(TexelFormat format);
+/// The descriptor of one of the formats that are written: linear light, straight alpha.
+Bytes dataFormatDescriptor(TexelFormat format, OutputPrimaries primaries = OutputPrimaries::rec709);
 
 }  // namespace mirrorball

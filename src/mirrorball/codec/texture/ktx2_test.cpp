@@ -1,5 +1,7 @@
 #include "mirrorball/codec/texture/ktx2.h"
 
+#include <array>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -194,6 +196,23 @@ TEST(Ktx2, StatedPrimariesAreConverted) {
   EXPECT_NEAR(red.x, 1.6605f, 1e-4f);  // ITU-R BT.2087, the inverse of its matrix M2
   EXPECT_NEAR(red.y, -0.1246f, 1e-4f);
   EXPECT_NEAR(red.z, -0.0182f, 1e-4f);
+}
+
+TEST(Ktx2, PrimariesAreStatedByTheNumbersOfKhronos) {
+  const std::array<int, 4> numbers{1, 10, 4, 7};  // KHR_DF_PRIMARIES_BT709, DISPLAYP3, BT2020, ACESCC
+  for (const TexelFormat format : {TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h})
+    for (const OutputPrimaries primaries :
+         {OutputPrimaries::rec709, OutputPrimaries::p3, OutputPrimaries::rec2020, OutputPrimaries::acescg}) {
+      Image light(4, 4, 3, 0.25f);
+      for (int i = 0; i < 16; ++i) light.texel(i % 4, i / 4)[0] = 0.75f;
+      Image image = light;
+      convertFromRec709(image, primaries);
+      const Bytes file = ktx2Of(ImageSet(image), {.format = format, .primaries = primaries});
+      EXPECT_EQ(file[std::size_t{littleU32(file.data() + 48)} + 13], numbers[static_cast<std::size_t>(primaries)]);
+      const glm::vec3 back = rgbAt(decodeKtx2(file)->images.at(0, 0), 2, 1);
+      const float tolerance = format == TexelFormat::float32 ? 1e-6f : format == TexelFormat::half ? 1e-3f : 4e-3f;
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], rgbAt(light, 2, 1)[c], tolerance);
+    }
 }
 
 TEST(Ktx2, WhatIsNotReadIsNamed) {

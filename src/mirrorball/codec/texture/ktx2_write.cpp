@@ -23,7 +23,7 @@ struct Level {
 
 /// All that stands before the texels.
 Bytes ktx2Header(const TextureShape& shape, const TextureWriteOptions& options, std::span<const Level> levels) {
-  const Bytes descriptor = dataFormatDescriptor(options.format);
+  const Bytes descriptor = dataFormatDescriptor(options.format, options.primaries);
   const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx2);
   const std::size_t descriptor_at = kKtx2HeaderSize + levels.size() * kKtx2LevelSize;
   LittleEndianWriter writer;

@@ -60,6 +60,7 @@ struct TextureWriteOptions {
   TexelFormat format = TexelFormat::half;
   int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level
   Metadata metadata = {};   ///< KTX2 and KTX keep it, DDS has no place for it
+  OutputPrimaries primaries = OutputPrimaries::rec709;  ///< that the images have, and a KTX2 states
   /// Told while writeImageSet compresses and writes, which takes seconds for large maps.
   ProgressFunction progress = {};
 };
@@ -95,10 +96,10 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 ///
 /// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the
 ///          one before, rounded down; 1 face, or 6 square ones
-/// errors   usage (an unknown extension, a format or a Zstandard level that only KTX2 has, metadata that cannot be
-///          stored); bad_shape; io; out_of_range (the first texel that does not fit the format is named; where levels
-///          are compressed, the first of the smallest level that has one); too_large; interrupted (when `progress` says
-///          so)
+/// errors   usage (an unknown extension, a format, primaries or a Zstandard level that only KTX2 has, metadata that
+///          cannot be stored); bad_shape; io; out_of_range (the first texel that does not fit the format is named;
+///          where levels are compressed, the first of the smallest level that has one); too_large; interrupted (when
+///          `progress` says so)
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
 ///          13 million texels a second and core, uastc_hdr 3
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,

@@ -196,9 +196,10 @@ std::string formatText(const TiffLayout& layout) {
 
 std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
   if (layout.is_log && layout.colors == 3) return "CIE XYZ: converted";
-  if (layout.icc_description.empty()) return describeColor(curve, layout.primaries, layout.channels());
-  return layout.is_float ? "linear, Rec.709 assumed: its ICC profile (" + layout.icc_description + ") is not applied"
-                         : describeIccColor(layout.icc_description);
+  const std::string& name = layout.profile.description;
+  if (name.empty()) return describeColor(curve, layout.primaries, layout.channels());
+  return layout.is_float ? "linear, Rec.709 assumed: its ICC profile (" + name + ") is not applied"
+                         : describeColor(layout.profile, layout.channels());
 }
 
 }  // namespace
@@ -212,7 +213,7 @@ Result<DecodedImage> decodeTiff(Span bytes, const ProgressFunction& progress) {
     light = std::move(floats);
   } else {
     MIRRORBALL_TRY(picture, readPicture(file, layout, progress));
-    light = lightOf(picture);
+    light = lightOf(picture, layout.profile.curve);
   }
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
   return DecodedImage{

@@ -164,7 +164,8 @@ void readColor(TIFF* tiff, TiffLayout& layout) {
   std::uint32_t size = 0;
   std::uint8_t* profile = nullptr;
   if (TIFFGetField(tiff, TIFFTAG_ICCPROFILE, &size, &profile) == 1) {
-    layout.icc_description = iccDescription({profile, size});
+    layout.profile = readIccProfile({profile, size});
+    if (!layout.is_float) layout.primaries = layout.profile.primaries;
     return;
   }
   float* white = nullptr;

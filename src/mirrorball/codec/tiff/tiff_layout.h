@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 
@@ -30,7 +31,7 @@ struct TiffLayout {
   std::string compression;
   bool is_jpeg = false;
   std::optional<Primaries> primaries;
-  std::string icc_description;  ///< empty: there is no ICC profile
+  IccProfile profile;  ///< of integers alone it is applied
   /// Red, green and blue of each code; empty where there is no palette.
   std::array<std::vector<std::uint16_t>, 3> palette;
 

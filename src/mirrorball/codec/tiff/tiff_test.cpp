@@ -213,6 +213,12 @@ TEST(Tiff, AProfileIsNamedAndPrimariesAreConverted) {
   const Bytes red = bytesOfNumbers(std::vector<float>{1, 0, 0});
   EXPECT_EQ(decoded(tiffOf(form, red)).color,
             "linear, Rec.709 assumed: its ICC profile (Adobe RGB (1998)) is not applied");
+  form.profile = testing::iccDisplayP3();
+  EXPECT_EQ(decoded(tiffOf(form, red)).color, "linear, Rec.709 assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(decoded(tiffOf(form, red)).image.samples()[0], 1.0f);
+  const DecodedImage green = decoded(tiffOf({.width = 1, .height = 1, .profile = form.profile}, {0, 255, 0}));
+  EXPECT_EQ(green.color, "sRGB, primaries of the file (Display P3): converted");
+  EXPECT_NEAR(green.image.samples()[0], -0.2249f, 1e-3f);
   form.profile.clear();
   form.primaries = {0.3127f, 0.329f, 0.708f, 0.292f, 0.17f, 0.797f, 0.131f, 0.046f};
   const DecodedImage wide = decoded(tiffOf(form, red));

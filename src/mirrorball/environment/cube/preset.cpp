@@ -72,7 +72,7 @@ const std::array<Preset, 14>& table() {
                          {minus_y, plus_x, plus_z},
                          {plus_z, minus_x, minus_y},
                          {minus_z, plus_x, minus_y}}}},
-       plus_z, CubeLayout::vstrip, FaceNaming::signs, true},
+       plus_z, CubeLayout::vstrip, FaceNaming::signs, true, true},
   }};
   return presets;
 }

@@ -20,6 +20,7 @@ struct Preset {
   CubeLayout layout;                    ///< of a cube, by default
   FaceNaming naming = FaceNaming::px;   ///< of a cube's six files
   bool has_texels_on_edges = false;     ///< MapForm::has_texels_on_edges
+  bool reads_primaries = false;         ///< of a file that states others than Rec.709's
 };
 
 /// opengl, vulkan, directx, unity, unreal, godot, filament, three, babylon, playcanvas, gltf, blender, renderman,

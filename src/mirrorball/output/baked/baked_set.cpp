@@ -242,6 +242,10 @@ BakedSet::~BakedSet() = default;
 
 Result<BakedSet> BakedSet::resolve(const std::string& output, const BakedSetSettings& settings, Observer observer) {
   MIRRORBALL_TRY(set, engineSetFor(settings.file.program, settings.mip_mapping));
+  if (settings.file.primaries != OutputPrimaries::rec709)
+    return fail(ErrorCode::usage,
+                "baked maps have Rec.709's primaries, as their harmonics have and as engines read them; leave the "
+                "primaries as they are");
   if (settings.levels > maxLevels(settings.size))
     return fail(ErrorCode::usage, std::to_string(settings.levels) + " levels: a cube of " +
                                       counted(std::size_t(settings.size), "texel") + " a face has at most " +

@@ -54,6 +54,16 @@ TEST_F(BakedSetTest, ATextureHoldsTheChainAlone) {
 }
 
 // No other format says that its texels lie on OpenEXR's edges.
+TEST_F(BakedSetTest, OtherPrimariesThanRec709AreRefused) {
+  BakedSetSettings settings = small();
+  settings.file.primaries = OutputPrimaries::acescg;
+  const auto saved = saveBakedSet(path("set"), light(), settings);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::usage);
+  EXPECT_THAT(saved.error().message, HasSubstr("baked maps have Rec.709's primaries"));
+  EXPECT_FALSE(std::filesystem::exists(path("set")));
+}
+
 TEST_F(BakedSetTest, OpenexrGetsItsOwnFiles) {
   BakedSetSettings settings = small();
   settings.file.program = "openexr";

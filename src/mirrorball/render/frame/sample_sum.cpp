@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "formula/color.h"
+#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/texture_units.h"
 
@@ -118,6 +119,16 @@ Result<Image8> SampleSum::picture() {
   display_->bind();
   show();
   return display_->readBytes();
+}
+
+Result<Image> SampleSum::displayedLight() {
+  std::optional<gl::Framebuffer> encoded;
+  MIRRORBALL_TRY_VOID(gl::resize(encoded, gl::Format::rgba32f, settings_.size));
+  encoded->bind();
+  show();
+  Image light = encoded->readFloat();
+  decodeColor(light, {.transfer = Transfer::srgb});
+  return light;
 }
 
 }  // namespace mirrorball

@@ -40,6 +40,8 @@ class SampleSum {
   Image radiance() const;
   /// errors   as begin's
   Result<Image8> picture();
+  /// The light of that picture before it is rounded to 8 bits: straight alpha.
+  Result<Image> displayedLight();
 
  private:
   SampleSum(gl::Api api, gl::Program accumulate, gl::Program tone_map)

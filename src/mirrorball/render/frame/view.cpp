@@ -260,4 +260,9 @@ Result<Image8> View::picture() {
   return state_->on->samples->picture();
 }
 
+Result<Image> View::displayedLight() {
+  MIRRORBALL_TRY_VOID(enterDrawn());
+  return state_->on->samples->displayedLight();
+}
+
 }  // namespace mirrorball

@@ -96,6 +96,9 @@ class View {
   Result<Image> radiance() const;
   /// The whole frame as `render` returns it.
   Result<Image8> picture();
+  /// The light of that picture, for pictures of other primaries or of more than 8 bits: what a display sends, 4
+  /// channels, straight alpha, in [0, 1].
+  Result<Image> displayedLight();
 
   /// What the frame shows at a place of it, from its top left corner [pixels]; with reliefs and holes, as rays find it
   /// (pickAlong). At least one sample must have been drawn.

@@ -53,13 +53,15 @@ const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
      &RenderFiles::output},
 });
 
+const std::string kPrimariesHelp = primariesHelp({Holds::light, Holds::picture});
+
 OptionText ofPicture(OptionText text) {
   text.group = "Picture";
   return text;
 }
 
 const auto kPictureFormOptions = std::to_array<Option<PictureForm>>({
-    {ofPicture(primariesText()), choiceField<&PictureForm::primaries>},
+    {ofPicture(primariesText(kPrimariesHelp)), choiceField<&PictureForm::primaries>},
     {gainMapText(), &PictureForm::gain_map},
 });
 

@@ -59,6 +59,7 @@ Result<void> writeShown(const std::string& output, Image radiance, const FrameSe
 
 Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
                          const PictureForm& form, StageClock& clock, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(clock.time("scene: trees, shadows", [&] { return renderer.stage().prepare(settings); }));
   if (form.gain_map) {
     FrameSettings without_backdrop = settings;
     if (settings.background == BackgroundKind::display_color) without_backdrop.background = BackgroundKind::transparent;

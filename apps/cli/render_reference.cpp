@@ -153,7 +153,8 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
   if (options.trace.wants_layers && extensionOf(output) != "exr")
     return fail(ErrorCode::usage, "--layers: only OpenEXR files have layers; write an .exr");
   if (options.trace.wants_layers && form.primaries != OutputPrimaries::rec709)
-    return fail(ErrorCode::usage, "--layers: the variance of colours has no other primaries; leave --primaries out");
+    return fail(ErrorCode::usage,
+                "--layers: the variance is that of Rec.709's channels, and cannot be converted; leave --primaries out");
   StageClock clock;
   MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, frame, {&output, 1}, clock));
   MIRRORBALL_TRY_VOID(checkShown(frame, inputs.scene));

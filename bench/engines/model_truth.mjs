@@ -32,7 +32,7 @@ function changeGltf(path, change) {
 /// returns   what an engine needs to know: how the model is seen
 export function exportModel(run, folder, model) {
   run(['export', model, '--camera', '30,10', '--size', `${width_px}x${height_px}`, '-o', exported]);
-  const gltf = changeGltf(join(folder, exported), ({ materials }) => {
+  const gltf = changeGltf(join(folder, exported), ({ materials = [] }) => {
     for (const material of materials) delete material.occlusionTexture;
   });
   const { matrix, camera } = gltf.nodes.find((node) => node.camera !== undefined);

@@ -92,7 +92,7 @@ TEST_F(BakeChoicesTest, AnEngineHasTexturesThatItImports) {
     EXPECT_EQ(texture("out/brdf.dds").at(0, 0).width(), 16) << program;
   }
   EXPECT_THAT(refuse(2, kSmall + std::string("--for unreal --format bc6h")),
-              HasSubstr("unreal reads half, float32, no bc6h"));
+              HasSubstr("Unreal Engine reads half and float32, no bc6h"));
   EXPECT_THAT(refuse(2, kSmall + std::string("--for godot --format b10g11r11")), HasSubstr("no b10g11r11"));
   succeed(kSmall + std::string("--for godot --format bc6h"));
   succeed(kSmall + std::string("--for unreal --extension ktx2 --format bc6h"));

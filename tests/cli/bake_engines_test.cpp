@@ -70,7 +70,7 @@ TEST_F(BakeEnginesTest, ThreesBackgroundIsWrittenIfItIsAskedFor) {
               ElementsAre("out/", "out/lobe_rows.ktx2", "out/manifest.json", "out/skybox.ktx2", "out/specular.ktx2"));
   EXPECT_THAT(refuse(2, "bake white --for three --brdf-size 8 -o out"), HasSubstr("three.js has a BRDF table"));
   EXPECT_THAT(refuse(2, "bake white --for three --format e5b9g9r9 -o out"),
-              HasSubstr("three reads uastc_hdr, half, float32"));
+              HasSubstr("three.js reads uastc_hdr, half, float32"));
 }
 
 TEST_F(BakeEnginesTest, AnotherMipMappingGivesTheMapsOneByOne) {

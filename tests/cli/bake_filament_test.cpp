@@ -166,9 +166,9 @@ TEST_F(BakeFilamentTest, WhatFilamentHasNoUseForIsRefused) {
     EXPECT_THAT(refuse(2, line + option), AllOf(HasSubstr(option.substr(0, option.find(' '))),
                                                 HasSubstr("Filament has a BRDF table of its own")));
   EXPECT_THAT(refuse(2, line + "--extension ktx2"),
-              HasSubstr("filament reads .ktx, no .ktx2; leave the extension to it"));
+              HasSubstr("Filament reads .ktx, no .ktx2; leave the extension to it"));
   EXPECT_THAT(refuse(2, line + "--format e5b9g9r9"),
-              HasSubstr("filament reads b10g11r11, half, float32, bc6h, no e5b9g9r9"));
+              HasSubstr("Filament reads b10g11r11, half, float32 and bc6h, no e5b9g9r9"));
 }
 
 // What only one of the two sets has goes with the set that had it.

@@ -153,7 +153,7 @@ TEST_F(ConvertBlocksTest, UastcHdrIsKtx2s) {
   succeed("bake map.exr --size 32 --brdf-size 16 --format uastc_hdr -o baked");
   EXPECT_THAT(succeed("info baked/specular.ktx2"), HasSubstr("uastc hdr 4x4, 4 mip levels"));
   EXPECT_THAT(refuse(2, "bake map.exr --for filament --size 32 --format uastc_hdr -o of_filament"),
-              HasSubstr("filament reads"));
+              HasSubstr("Filament reads"));
 
   write("bright.exr", Image(8, 4, 3, 65505.0f));
   EXPECT_THAT(run("convert bright.exr --to cube --size 4 --format uastc_hdr -o new.ktx2").err,

@@ -275,7 +275,7 @@ TEST_F(RenderOptionTest, NegativeLightIsTold) {
   map.texel(3, 3)[1] = -100.0f;
   write("negative.exr", map);
   EXPECT_EQ(run("render none -e negative.exr --size 8x8 --no-cache -o out.png").err,
-            "mirrorball: note: negative.exr: 1 value is negative, which light cannot be; taken as 0\n");
+            "mirrorball: note: negative.exr: 1 value is negative, no light or a colour beyond Rec.709; taken as 0\n");
 }
 
 }  // namespace

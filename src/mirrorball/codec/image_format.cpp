@@ -124,6 +124,16 @@ std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<H
   return extensionsOf(FormatRegistry::ofThisBuild(), admit, before_last);
 }
 
+std::string primariesHelp(std::initializer_list<Holds> written) {
+  return "primaries of the colours in the file, which states them: p3 (Display P3) and rec2020 in " +
+         extensionsStating(OutputPrimaries::rec2020, written, " and ") +
+         "; acescg, linear light under ACES' white, in " + extensionsStating(OutputPrimaries::acescg, written, " and ");
+}
+
+OptionText primariesText(std::string_view help) {
+  return {.name = "primaries", .choices = "rec709|p3|rec2020|acescg", .help = help, .group = "Output"};
+}
+
 Result<void> checkStatesPrimaries(const std::filesystem::path& path, OutputPrimaries primaries,
                                   std::initializer_list<Holds> wanted) {
   if (primaries == OutputPrimaries::rec709) return {};

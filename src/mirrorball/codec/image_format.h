@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/color/output_primaries.h"
 
@@ -50,8 +51,8 @@ inline constexpr std::array<ImageFormat, 15> kImageFormats{{
     {ImageFormatId::exr, "OpenEXR", "exr", Holds::light, true,
      "half, float and integers; scan lines and tiles; every compression of OpenEXR 3; luminance and chroma",
      "MIRRORBALL_EXR", StatedPrimaries::all},
-    {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `cICP`, `sRGB`, `gAMA`, `cHRM`",
-     "MIRRORBALL_PNG", StatedPrimaries::of_displays},
+    {ImageFormatId::png, "PNG", "png", Holds::picture, true,
+     "every kind and depth; `cICP`, `sRGB`, `iCCP`, `gAMA`, `cHRM`", "MIRRORBALL_PNG", StatedPrimaries::of_displays},
     {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true,
      "grey and RGB, baseline and progressive; gain maps (Ultra HDR, ISO 21496-1)", "MIRRORBALL_JPEG"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
@@ -120,6 +121,15 @@ std::string readFormatNames(Holds what);
 /// ".hdr, .exr and .ktx2".
 std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
                               std::string_view before_last);
+
+/// --primaries, of every command that writes light or pictures of it: the names of OutputPrimaries.
+///
+/// help     primariesHelp(); must outlive it
+OptionText primariesText(std::string_view help);
+/// What it says.
+///
+/// written  what the command writes
+std::string primariesHelp(std::initializer_list<Holds> written);
 
 /// Refuses primaries that a file of that name cannot state: what it holds would be taken for other colours.
 ///

@@ -271,7 +271,7 @@ Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer) {
                 countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", Remedy::scale_light);
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     observer.tell(RemarkKind::negative_raised,
-                  countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
+                  countedAre(negative, "value") + " negative, no light or a colour beyond Rec.709; taken as 0");
   return counts;
 }
 

@@ -73,6 +73,8 @@ const std::string kProgramHelp = "store the map as this program expects it: " + 
 const std::string kLayoutHelp = "layout of a cube in picture files: " + join(cubeLayoutNames()) +
                                 " (faces writes six files); without it, the layout of {option:for}, or hcross";
 
+const std::string kPrimariesHelp = primariesHelp({Holds::light, Holds::picture, Holds::texture});
+
 const std::string kMipsHelp =
     "write all mip levels: " + writtenExtensions(Holds::texture, " and ") +
     " store them as such; a picture shows them on one sheet, the smaller ones beside or below level 0";
@@ -132,7 +134,7 @@ const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
               "limit",
       .group = "Output"},
      kClampField},
-    {primariesText(), choiceField<&MapFileOptions::primaries>},
+    {primariesText(kPrimariesHelp), choiceField<&MapFileOptions::primaries>},
     {{.name = "layout",
       .value = "LAYOUT",
       .help = kLayoutHelp,

@@ -46,18 +46,6 @@ OptionText toneMapText() {
           .is_number = true};
 }
 
-OptionText primariesText() {
-  static const std::string help = [] {
-    const auto extensions = [](OutputPrimaries primaries) {
-      return extensionsStating(primaries, {Holds::light, Holds::picture, Holds::texture}, " and ");
-    };
-    return "primaries of the colours in the file, which states them: p3 (Display P3) and rec2020 in " +
-           extensions(OutputPrimaries::rec2020) + "; acescg, linear light under ACES' white, in " +
-           extensions(OutputPrimaries::acescg);
-  }();
-  return {.name = "primaries", .choices = "rec709|p3|rec2020|acescg", .help = help, .group = "Output"};
-}
-
 OptionText gainMapText() {
   return {.name = "gain-map",
           .help =

@@ -21,9 +21,6 @@ struct Display {
 OptionText exposureText();
 OptionText toneMapText();
 
-/// --primaries, of every command that writes light or pictures of it: the names of OutputPrimaries.
-OptionText primariesText();
-
 /// --gain-map, of every command that writes pictures of light as .jpg.
 OptionText gainMapText();
 

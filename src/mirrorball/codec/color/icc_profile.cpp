@@ -86,17 +86,20 @@ double lightByTable(Span table, double code) {
   return glm::mix(at(below), at(std::min(below + 1.0, last)), place - below);
 }
 
-/// Whether a curve is sRGB's, to what writers round of its numbers.
+/// sRGB's curve or linear light where a curve is that, to what writers round of its numbers.
 template <typename LightOf>
-bool isSrgb(const LightOf& lightOf) {
+std::optional<TransferCurve> knownCurve(const LightOf& lightOf) {
   constexpr int kSteps = 64;
   constexpr double kSame = 1e-3;
+  bool is_srgb = true, is_linear = true;
   for (int i = 0; i <= kSteps; ++i) {
     const double code = i / double{kSteps};
-    const auto light = double{formula::linearFromSrgb1(static_cast<float>(code))};
-    if (!(std::abs(lightOf(code) - light) < kSame)) return false;
+    const double light = lightOf(code);
+    is_srgb = is_srgb && std::abs(light - double{formula::linearFromSrgb1(static_cast<float>(code))}) < kSame;
+    is_linear = is_linear && std::abs(light - code) < kSame;
   }
-  return true;
+  if (is_linear) return kLinearLight;
+  return is_srgb ? std::optional(kSrgbCurve) : std::nullopt;
 }
 
 std::optional<TransferCurve> powerCurve(double power) {
@@ -110,19 +113,20 @@ std::optional<TransferCurve> tabulatedCurve(Span value) {
   if (count == 0) return kLinearLight;
   if (count == 1) return powerCurve((value[12] * 256 + value[13]) / 256.0);
   const Span table = value.subspan(12, 2 * count);
-  return isSrgb([&](double code) { return lightByTable(table, code); }) ? std::optional(kSrgbCurve) : std::nullopt;
+  return knownCurve([&](double code) { return lightByTable(table, code); });
 }
 
-/// A curve of parametricCurveType: X^g, or (aX + b)^g that is cX below d.
+/// A curve of parametricCurveType: X^g, or (aX + b)^g + e that is cX + f below d (ICC.1:2022, 10.18). The forms between,
+/// without a straight part, are neither sRGB's nor a power.
 std::optional<TransferCurve> parametricCurve(Span value) {
   if (value.size() < 16) return {};
   const int form = value[8] * 256 + value[9];
   const double g = fixedAt(value, 12);
   if (form == 0) return powerCurve(g);
-  if (form != 3 || value.size() < 32) return {};
+  if ((form != 3 && form != 4) || value.size() < (form == 3 ? 32 : 40)) return {};
   const double a = fixedAt(value, 16), b = fixedAt(value, 20), c = fixedAt(value, 24), d = fixedAt(value, 28);
-  const bool is_srgb = isSrgb([&](double code) { return code < d ? c * code : std::pow(a * code + b, g); });
-  return is_srgb ? std::optional(kSrgbCurve) : std::nullopt;
+  const double e = form == 3 ? 0.0 : fixedAt(value, 32), f = form == 3 ? 0.0 : fixedAt(value, 36);
+  return knownCurve([&](double code) { return code < d ? c * code + f : std::pow(a * code + b, g) + e; });
 }
 
 std::optional<TransferCurve> curveIn(Span profile, const char (&tag)[5]) {

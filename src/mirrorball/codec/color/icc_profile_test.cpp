@@ -63,6 +63,11 @@ TEST(IccProfile, CurvesArePowersOrSrgbs) {
   EXPECT_EQ(curveOf(iccValue("curv", {}, {0})), 1.0);
   EXPECT_NEAR(*curveOf(iccValue("para", {1.8}, {0})), 1.8, 1e-5);
   EXPECT_EQ(curveOf(testing::iccSrgbCurve()), 0.0);
+  EXPECT_EQ(curveOf(testing::iccSrgbCurveOfForm4()), 0.0);
+  Bytes short_form = testing::iccSrgbCurveOfForm4();
+  short_form.resize(36);
+  EXPECT_FALSE(curveOf(short_form)) << "without its last number";
+  EXPECT_FALSE(curveOf(iccValue("para", {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045, 0.1, 0.1}, {0x00040000})));
   const auto table = [](double (*lightOf)(double)) {
     Bytes value = iccValue("curv", {}, {1024});
     for (int i = 0; i < 1024; ++i) {
@@ -73,6 +78,7 @@ TEST(IccProfile, CurvesArePowersOrSrgbs) {
   };
   const auto srgb = [](double x) { return x < 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
   EXPECT_EQ(curveOf(table(srgb)), 0.0);
+  EXPECT_EQ(curveOf(table([](double x) { return x; })), 1.0);
   EXPECT_FALSE(curveOf(table([](double x) { return x * x * x; }))) << "a table of another curve";
   EXPECT_FALSE(curveOf(iccValue("para", {50.0}, {0})));
   EXPECT_FALSE(curveOf(iccValue("curv", {}, {4000000000u}))) << "longer than the file";

@@ -75,6 +75,11 @@ inline Bytes iccSrgbCurve() {
   return iccValue("para", {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045}, {0x00030000});
 }
 
+/// The same of form 4, as Android's pictures have it.
+inline Bytes iccSrgbCurveOfForm4() {
+  return iccValue("para", {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045, 0.0, 0.0}, {0x00040000});
+}
+
 /// A profile of a matrix and one curve.
 ///
 /// columns  XYZ of red, green and blue, adapted to D50

@@ -48,7 +48,8 @@ bool askOfSamples(Ask ask, const JxlDecoder* decoder, Answer... answer) {
 
 /// Nothing: it cannot be said without a profile.
 std::optional<JxlColorEncoding> encodingOf(const JxlDecoder* decoder) {
-  JxlColorEncoding color;
+  JxlColorEncoding color{};
+  color.primaries = JXL_PRIMARIES_SRGB;  // of grey pictures they are not written
   return askOfSamples(JxlDecoderGetColorAsEncodedProfile, decoder, &color) ? std::optional(color) : std::nullopt;
 }
 

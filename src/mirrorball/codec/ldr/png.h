@@ -13,7 +13,7 @@ namespace mirrorball {
 
 /// Decodes a PNG of any colour type and depth to linear light, 16-bit samples with all their
 /// precision. Grey stays one channel unless it has alpha. What the file says of its colour is
-/// converted (png_color.h), but for an ICC profile.
+/// converted (png_color.h).
 ///
 /// errors   bad_file; too_large
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes);

@@ -21,7 +21,7 @@ struct PngColor {
 /// Has the chunk cICP kept for readPngColor; before png_read_info.
 void keepPngColor(png_structrp png);
 
-/// Reads the chunks cICP, iCCP, sRGB, gAMA and cHRM, of which each makes those behind it mean nothing but that the last
+/// Reads the chunks cICP, sRGB, iCCP, gAMA and cHRM, of which each makes those behind it mean nothing but that the last
 /// two go together; with none of them the picture is sRGB. A cICP of other codes than RGB in full range is passed over.
 ///
 /// info     as png_read_info has left it

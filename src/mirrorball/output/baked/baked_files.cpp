@@ -30,7 +30,7 @@ Result<std::string_view> extensionFor(const EngineSet& set, const std::string& w
   if (wanted.empty() || set.files == SetFiles::packed) return set.extension;
   MIRRORBALL_TRY(extension, extensionNamed(wanted, bakedCubeExtensions()));
   if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
-    return fail(ErrorCode::usage, std::string(set.program) + " reads ." + std::string(set.extension) + ", no ." +
+    return fail(ErrorCode::usage, programNameOf(set) + " reads ." + std::string(set.extension) + ", no ." +
                                       std::string(extension) + "; leave the extension to it");
   return extension;
 }
@@ -135,7 +135,7 @@ Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const Bak
   std::vector<std::string_view> known;
   if (set.format) known.push_back(nameOf(*set.format));
   for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));
-  return fail(ErrorCode::usage, std::string(set.program) + " reads " + join(known) + ", no " +
+  return fail(ErrorCode::usage, programNameOf(set) + " reads " + join(known, ", ", " and ") + ", no " +
                                     std::string(nameOf(*wanted)) + "; leave the format to it");
 }
 

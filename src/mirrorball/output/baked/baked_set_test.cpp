@@ -223,10 +223,10 @@ TEST_F(BakedSetTest, WhatCannotBeIsRefusedBeforeAnythingIsMade) {
   EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("'png'"));
   settings.extension = "ktx2";
   settings.file.program = "filament";
-  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("filament reads .ktx, no .ktx2"));
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("Filament reads .ktx, no .ktx2"));
   settings.extension = "";
   settings.file.format = TexelFormat::e5b9g9r9;
-  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("filament reads b10g11r11"));
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("Filament reads b10g11r11"));
   EXPECT_THAT(errorOf(path("chain.exr"), small()), HasSubstr("name a folder"));
   EXPECT_FALSE(std::filesystem::exists(path("set")));
 }

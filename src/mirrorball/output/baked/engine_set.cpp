@@ -115,13 +115,17 @@ int levelCountFor(const EngineSet& set, MipMapping mip_mapping, int size) {
   return levels == 1 && set.files == SetFiles::cmgens ? maxLevels(size) : levels;
 }
 
+std::string programNameOf(const EngineSet& set) {
+  const auto preset = presetNamed(set.program);
+  return std::string(preset ? preset->program : set.program);
+}
+
 Result<void> checkChain(const EngineSet& set, int size, int levels) {
-  const std::string program(set.program);
+  const std::string program = programNameOf(set);
   if (set.needs_power_of_two && !std::has_single_bit(static_cast<unsigned>(size)))
     return fail(ErrorCode::usage, program + " reads faces whose side is a power of two, not " + std::to_string(size) +
                                       "; ask for " + std::to_string(std::bit_floor(static_cast<unsigned>(size))));
-  const bool has_all = set.needs_power_of_two && set.smallest_face == 1;
-  const int needed = has_all ? maxLevels(size) : set.levels;
+  const int needed = set.smallest_face == 1 ? maxLevels(size) : set.levels;
   if (needed > 0 && levels > 0 && levels != needed)
     return fail(ErrorCode::usage, program + " reads a chain of " + std::to_string(needed) + " levels, not of " +
                                       std::to_string(levels) + "; leave their number to it");

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mirrorball/bake/bake.h"
@@ -42,6 +43,9 @@ struct EngineSet {
 ///               any does where it is SetFiles::chain.
 /// errors        usage: there is no such program
 Result<EngineSet> engineSetFor(std::string_view program, std::optional<MipMapping> mip_mapping);
+
+/// "three.js", for messages.
+std::string programNameOf(const EngineSet& set);
 
 /// The program whose own file has that extension; "" if there is none.
 std::string_view programOfPacked(std::string_view extension);

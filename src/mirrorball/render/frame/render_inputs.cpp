@@ -161,7 +161,6 @@ Result<Renderer> rendererOf(RenderInputs inputs) {
   MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
   MIRRORBALL_TRY_VOID(renderer.setEnvironment(std::move(inputs.environment), inputs.prepared));
   MIRRORBALL_TRY_VOID(renderer.setScene(std::move(inputs.scene)));
-  MIRRORBALL_TRY_VOID(renderer.stage().prepare(inputs.frame));
   return renderer;
 }
 

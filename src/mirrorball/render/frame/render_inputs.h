@@ -78,7 +78,7 @@ Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observe
 /// cost     that of the slowest of the three
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer = {});
 
-/// A renderer of them, on a stage that has what the frame needs (Stage::prepare).
+/// A renderer of them.
 ///
 /// errors   as Renderer's
 Result<Renderer> rendererOf(RenderInputs inputs);

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cassert>
 #include <cstddef>
-#include <future>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -18,9 +17,8 @@ namespace {
 constexpr int kBins = 16;
 /// What a visit of a node costs, in tests of items.
 constexpr float kCostOfNode = 1.0f;
-/// Below this many items, a subtree is not worth a thread; nor is one below a share of all, which bounds the threads.
-constexpr std::size_t kItemsOfTask = std::size_t{1} << 13;
-constexpr std::size_t kMostTasks = 32;
+/// Below this many items, a subtree is not worth a thread.
+constexpr std::size_t kItemsOfTask = std::size_t{1} << 12;
 
 /// Where items are cut in two: by the bin of their centre along an axis.
 struct Cut {
@@ -144,11 +142,13 @@ BoxTree::Child Subtree::build(std::span<std::uint32_t> items, int depth) {
   nodes_.emplace_back();
   const std::span<std::uint32_t> parts[2] = {items.first(first_part), items.subspan(first_part)};
   BoxTree::Child children[2];
-  if (items.size() >= std::max(kItemsOfTask, all_.size() / kMostTasks)) {
+  if (std::min(parts[0].size(), parts[1].size()) >= kItemsOfTask) {
     Subtree other(boxes_, all_, items_of_leaf_);
-    auto second = std::async(besideOthers(), [&] { return other.build(parts[1], depth - 1); });
-    children[0] = build(parts[0], depth - 1);
-    children[1] = append(other, second.get());
+    Subtree* const trees[2] = {this, &other};
+    parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) children[i] = trees[i]->build(parts[i], depth - 1);
+    });
+    children[1] = append(other, children[1]);
   } else {
     for (int i = 0; i < 2; ++i) children[i] = build(parts[i], depth - 1);
   }

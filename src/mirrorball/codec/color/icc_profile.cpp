@@ -116,8 +116,8 @@ std::optional<TransferCurve> tabulatedCurve(Span value) {
   return knownCurve([&](double code) { return lightByTable(table, code); });
 }
 
-/// A curve of parametricCurveType: X^g, or (aX + b)^g + e that is cX + f below d (ICC.1:2022, 10.18). The forms between,
-/// without a straight part, are neither sRGB's nor a power.
+/// A curve of parametricCurveType: X^g, or (aX + b)^g + e that is cX + f below d (ICC.1:2022, 10.18). The forms
+/// between, without a straight part, are neither sRGB's nor a power.
 std::optional<TransferCurve> parametricCurve(Span value) {
   if (value.size() < 16) return {};
   const int form = value[8] * 256 + value[9];

@@ -95,8 +95,7 @@ Result<void> refuseUnread(const BakeRequest& request, const EngineSet& set) {
   const GivenOptions& given = request.given;
   const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
   if (set.files != SetFiles::ours) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfOurMaps, has_no_use));
-  if (set.files != SetFiles::ours && set.files != SetFiles::chain)
-    MIRRORBALL_TRY_VOID(refuseGiven(given, kOfLobeRows, has_no_use));
+  if (!set.hasLobeRows()) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfLobeRows, has_no_use));
   if (!set.has_irradiance_cube) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfIrradiance, has_no_use));
   if (set.files != SetFiles::packed) return {};
   MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSkybox, has_no_use));

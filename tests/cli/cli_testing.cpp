@@ -177,6 +177,12 @@ Image smoothPanorama() {
   return need(convert(smooth, Projection::equirect, 32)).face(0);
 }
 
+Image smoothPanoramaWithLamp() {
+  Image map = smoothPanorama();
+  std::fill_n(map.texel(20, 8), 3, 1e5f);
+  return map;
+}
+
 Image noisyPanorama() {
   Image noise(512, 256, 3);
   unsigned state = 1;

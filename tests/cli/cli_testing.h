@@ -106,6 +106,8 @@ glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction);
 
 /// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
 Image smoothPanorama();
+/// The same with a lamp of 10⁵ at (20, 8).
+Image smoothPanoramaWithLamp();
 
 /// A map of 512 × 256 texels of which neighbours know nothing, with a lamp here and there and one part without light:
 /// of narrow lobes it needs all bands.

@@ -22,11 +22,7 @@ using ::testing::StartsWith;
 
 class ConvertDisplayTest : public CliTest {
  protected:
-  ConvertDisplayTest() {
-    Image map = smoothPanorama();
-    std::fill_n(map.texel(20, 8), 3, 1e5f);
-    write("map.exr", map);
-  }
+  ConvertDisplayTest() { write("map.exr", smoothPanoramaWithLamp()); }
 
   /// The codes of a picture whose light is in a file of radiance.
   static Image8 shown(Image radiance, const Display& display) {

@@ -45,11 +45,7 @@ float difference(const Image& a, const Image& b) {
 
 class ConvertPrimariesTest : public CliTest {
  protected:
-  ConvertPrimariesTest() {
-    Image map = smoothPanorama();
-    std::fill_n(map.texel(20, 8), 3, 1e5f);
-    write("map.exr", map);
-  }
+  ConvertPrimariesTest() { write("map.exr", smoothPanoramaWithLamp()); }
 };
 
 TEST_F(ConvertPrimariesTest, LightIsStatedAndComesBackInEveryForm) {

@@ -46,6 +46,16 @@ bool states(const ImageFormat& format, OutputPrimaries primaries) {
   return primaries == OutputPrimaries::rec709 || format.states != StatedPrimaries::none;
 }
 
+/// The usual extensions of the formats that are written, can state primaries and hold one of these:
+/// ".hdr, .exr and .ktx2".
+std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
+                              std::string_view before_last) {
+  const auto admit = [&](const ImageFormat& format) {
+    return format.is_written && contains(wanted, format.holds) && states(format, primaries);
+  };
+  return extensionsOf(FormatRegistry::ofThisBuild(), admit, before_last);
+}
+
 /// "; use .hdr or .exr for linear light, .png or .jpg for pictures": nothing of what no format of the build holds.
 std::string adviceFor(const FormatRegistry& formats, std::initializer_list<Holds> wanted) {
   std::vector<std::string> kinds;
@@ -114,14 +124,6 @@ std::string readFormatNames() {
 
 std::string readFormatNames(Holds what) {
   return namesOf([what](const ImageFormat& format) { return mayHold(format, what); });
-}
-
-std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
-                              std::string_view before_last) {
-  const auto admit = [&](const ImageFormat& format) {
-    return format.is_written && contains(wanted, format.holds) && states(format, primaries);
-  };
-  return extensionsOf(FormatRegistry::ofThisBuild(), admit, before_last);
 }
 
 std::string primariesHelp(std::initializer_list<Holds> written) {

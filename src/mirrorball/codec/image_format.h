@@ -117,11 +117,6 @@ std::string readFormatNames();
 /// The same of those that may hold one thing.
 std::string readFormatNames(Holds what);
 
-/// The usual extensions of the formats that are written, can state primaries and hold one of these:
-/// ".hdr, .exr and .ktx2".
-std::string extensionsStating(OutputPrimaries primaries, std::initializer_list<Holds> wanted,
-                              std::string_view before_last);
-
 /// --primaries, of every command that writes light or pictures of it: the names of OutputPrimaries.
 ///
 /// help     primariesHelp(); must outlive it

@@ -75,7 +75,7 @@ void writePngColor(png_structrp png, png_inforp info, OutputPrimaries primaries)
   chunk.data = code_points.data();
   chunk.size = code_points.size();
   chunk.location = PNG_HAVE_IHDR;  // before palettes and texels
-  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, kCicp.data(), 1);
+  keepPngColor(png);
   png_set_unknown_chunks(png, info, &chunk, 1);
   const Primaries& xy = chromaticitiesOf(primaries);
   png_set_cHRM(png, info, xy.white.x, xy.white.y, xy.red.x, xy.red.y, xy.green.x, xy.green.y, xy.blue.x, xy.blue.y);

@@ -113,16 +113,9 @@ std::optional<Primaries> primariesOf(int number) {
 }
 
 std::uint8_t primariesNumber(OutputPrimaries primaries) {
-  switch (primaries) {
-    case OutputPrimaries::p3:
-      return kPrimariesDisplayP3;
-    case OutputPrimaries::rec2020:
-      return kPrimariesBt2020;
-    case OutputPrimaries::acescg:
-      return kPrimariesAcesCc;
-    default:
-      return kPrimariesBt709;
-  }
+  constexpr std::array<std::uint8_t, 4> kNumbers{kPrimariesBt709, kPrimariesDisplayP3, kPrimariesBt2020,
+                                                 kPrimariesAcesCc};
+  return kNumbers[static_cast<std::size_t>(primaries)];
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettin
   }
   if (settings.split) files.lamps = lampFilesFor(folder + "/" + kLampStem, settings.file.program);
   if (set.files == SetFiles::ours) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
-  if (set.files == SetFiles::ours || set.files == SetFiles::chain) MIRRORBALL_TRY_VOID(addLobeRows(settings, files));
+  if (set.hasLobeRows()) MIRRORBALL_TRY_VOID(addLobeRows(settings, files));
   return files;
 }
 

@@ -53,7 +53,6 @@ TEST_F(BakedSetTest, ATextureHoldsTheChainAlone) {
   EXPECT_TRUE(std::filesystem::exists(path("chain.ktx2")));
 }
 
-// No other format says that its texels lie on OpenEXR's edges.
 TEST_F(BakedSetTest, OtherPrimariesThanRec709AreRefused) {
   BakedSetSettings settings = small();
   settings.file.primaries = OutputPrimaries::acescg;
@@ -64,6 +63,7 @@ TEST_F(BakedSetTest, OtherPrimariesThanRec709AreRefused) {
   EXPECT_FALSE(std::filesystem::exists(path("set")));
 }
 
+// No other format says that its texels lie on OpenEXR's edges.
 TEST_F(BakedSetTest, OpenexrGetsItsOwnFiles) {
   BakedSetSettings settings = small();
   settings.file.program = "openexr";

@@ -28,7 +28,7 @@ struct EngineSet {
   std::string_view extension = "ktx2";              ///< of textures, or of the packed file
   std::optional<TexelFormat> format = {};           ///< of such textures' texels; none: as they need
   std::span<const TexelFormat> other_formats = {};  ///< that it reads in textures of its extension; none: any
-  int smallest_face = 4;                            ///< of the chain [texels]
+  int smallest_face = 4;                            ///< of the chain [texels]; 1: no level may be missing
   int levels = 0;                                   ///< of the chain whatever its size; 0: by the smallest face
   bool takes_any_mapping = false;                   ///< its own files may have another mip mapping than `mip_mapping`
   bool has_irradiance_cube = true;                  ///< as a file of its own or in the packed one
@@ -37,6 +37,8 @@ struct EngineSet {
   PackLight pack = nullptr;                         ///< makes the packed file
   int pack_bytes = 0;                               ///< that it takes at most, its result included, a texel of level 0
   std::string_view needs_no_others = {};            ///< why it has no use for the maps of SetFiles::ours
+
+  bool hasLobeRows() const { return files == SetFiles::ours || files == SetFiles::chain; }
 };
 
 /// mip_mapping   that was asked for. One that the program's packed file cannot have makes the set SetFiles::ours, as

@@ -137,8 +137,9 @@ TEST_P(StageChangesTest, AFormFollowsItsSceneAsFarAsItCan) {
     Scene changed = stage().scene();
     how(changed);
     ASSERT_TRUE(stage().setScene(std::move(changed)));
-    View view(stage());
-    EXPECT_EQ(pictureOf(view, steep), pictureOfNewDevice(steep));
+    const std::vector<float> expected = pictureOfNewDevice(steep);
+    View view(stage());  // after the new device: it leaves this stage's device current, which formFor() needs
+    EXPECT_EQ(pictureOf(view, steep), expected);
   };
   become([](Scene& changed) { changed.textures[0] = grey(30); });
   EXPECT_EQ(formFor(steep), form);

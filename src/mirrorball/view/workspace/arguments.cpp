@@ -181,8 +181,10 @@ Result<Workspace> workspaceOf(std::span<const std::string> arguments) {
                                              : withFile(std::move(workspace), said.word));
     workspace = std::move(next);
     // The first panorama that is opened takes the place of the one that nobody has asked for.
-    if (!names_environment && workspace.maps.size() == 2 && workspace.maps.front() == start.maps.front())
-      workspace = withOnlyMap(std::move(workspace), std::string(workspace.maps.back()));
+    if (!names_environment && workspace.maps.size() == 2 && workspace.maps.front() == start.maps.front()) {
+      const std::string opened = workspace.maps.back();
+      workspace = withOnlyMap(std::move(workspace), opened);
+    }
   }
   bool wants_truth = false;
   for (const Said& said : all) {

@@ -199,7 +199,9 @@ TEST_F(OutputTest, EveryRunGivesTheSameBytes) {
       {"convert smooth.exr --to angular --size 128", ".png"},
       {"render showcase -e smooth.exr --size 96x64", ".png"},
       {"render showcase -e sky --size 96x64", ".exr"}};
-  for (const auto& [command, extension] : commands) {
+  for (const auto& each : commands) {
+    const auto& command = each.first;
+    const auto& extension = each.second;
     SCOPED_TRACE(command);
     expectTheSameAgain(
         [&](const std::string& output, Start how) { succeed(command + " -o " + output + extension, std::move(how)); },

@@ -159,7 +159,7 @@ TEST_F(WrongProjection, AShiftByOneTexelIsFound) {
   for (const char* name : {"convert_equirect", "convert_sphere", "convert_angular", "convert_cross"}) {
     expectFound(name, [](Image8& picture) {
       for (int y = 0; y < picture.height(); ++y)
-        std::ranges::rotate(picture.row(y), picture.row(y).begin() + picture.channels());
+        std::rotate(picture.row(y).begin(), picture.row(y).begin() + picture.channels(), picture.row(y).end());
     });
   }
 }

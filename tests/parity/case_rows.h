@@ -5,6 +5,9 @@
 #include "formula/formula.h"
 #include "parity/parity_case.h"
 
+// As in the formulas: a struct from its fields, in C++ and in GLSL. It stays defined for the rows.
+#define MAKE(Type) makeAggregate<Type>
+
 namespace mirrorball::formula {
 
 #define FN inline

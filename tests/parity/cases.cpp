@@ -10,16 +10,17 @@ namespace {
 const Case kCases[] = {
     // blur
     PARITY(chainLight, direction, kTight,
-           chainLight(Blur(0, 1.0f, 6.0f, 32.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+           chainLight(MAKE(Blur)(0, 1.0f, 6.0f, 32.0f), MAKE(SmoothCube)(3.0f), vec3(p), r.x, 4.0f * r.y)),
     PARITY(prefilteredLight, direction, kTight,
-           prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+           prefilteredLight(MAKE(Blur)(0, 1.0f, 6.0f, 32.0f), MAKE(SmoothCube)(2.0f), MAKE(SmoothCube)(3.0f), vec3(p),
+                            r.x, 4.0f * r.y)),
     PARITY(roughnessOverPatch, unit, kTight, vec4(roughnessOverPatch(p.x, 0.1f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(coneRay, unit, kTranscendental, vec4(coneRay(0.0625f + p.x, int(63.9375f * p.y), 64), 0.0f)),
     // The sum of 64 rays in a cube that is as bright as its direction.
-    PARITY(coneLight, direction, kTranscendental, coneLight(SmoothCube(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
+    PARITY(coneLight, direction, kTranscendental, coneLight(MAKE(SmoothCube)(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
     PARITY(blurredLight, direction, kTranscendental,
-           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
-                        4.0f * r.y)),
+           blurredLight(MAKE(Blur)(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f), MAKE(SmoothCube)(2.0f),
+                        MAKE(SmoothCube)(3.0f), vec3(p), r.x, 4.0f * r.y)),
 
     // box
     PARITY(wayThroughBox, direction, kTight,
@@ -144,18 +145,19 @@ const Case kCases[] = {
                                            normalize(vec3(q.x, 0.1f + q.y, q.z)), 0.25f + r.x, 64.0f))),
     // The map's depth grows from the left to the right.
     PARITY(isBehindPicture, unit, kExact,
-           vec4(float(isBehindPicture(SmoothMap(64.0f), vec3(64.0f * p.x, 32.0f * p.y, q.x))), 0.0f, 0.0f, 0.0f)),
-    PARITY(
-        hitInMirrorPicture, unit, kTight,
-        vec4(hitInMirrorPicture(SmoothMap(64.0f), vec3(8.5f, 8.5f, 0.0625f * p.x), vec3(24.5f, 12.5f, 0.75f)), 0.0f)),
+           vec4(float(isBehindPicture(MAKE(SmoothMap)(64.0f), vec3(64.0f * p.x, 32.0f * p.y, q.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(hitInMirrorPicture, unit, kTight,
+           vec4(hitInMirrorPicture(MAKE(SmoothMap)(64.0f), vec3(8.5f, 8.5f, 0.0625f * p.x), vec3(24.5f, 12.5f, 0.75f)),
+                0.0f)),
 
     // captured_sight, proxy_mesh, proxy_shape, proxy_sight
-    PARITY(
-        hitOfMesh, direction, kTranscendental,
-        vec4(hitOfMesh(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f), normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
-                 .place,
-             hitOfMesh(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f), normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
-                 .normal.z)),
+    PARITY(hitOfMesh, direction, kTranscendental,
+           vec4(hitOfMesh(MAKE(SmallTree)(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                          normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
+                    .place,
+                hitOfMesh(MAKE(SmallTree)(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                          normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
+                    .normal.z)),
     PARITY(withinBox, direction, kExact, vec4(withinBox(vec3(-0.5f), vec3(0.25f), vec3(p)), 0.0f)),
     PARITY(wayOut, direction, kTight,
            vec4(wayOut(-2.0f, 3.0f, p.x, p.y) < 1e17f ? wayOut(-2.0f, 3.0f, p.x, p.y) : 0.0f)),
@@ -170,25 +172,24 @@ const Case kCases[] = {
            vec4(hitOfGround(vec3(0.0f, 0.5f, 0.0f), 4.0f, -1.0f, vec3(q), vec3(p)).place, 0.0f)),
     PARITY(shadowedGround, light, kTight, vec4(shadowedGround(vec3(p), vec3(q), vec3(r) / (vec3(r) + 1.0f)), 0.0f)),
     PARITY(sightOfProxy, direction, kTight,
-           vec4(sightOfProxy(ProxyHit(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
+           vec4(sightOfProxy(MAKE(ProxyHit)(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
                              normalize(vec3(p.x, 0.75f, p.z)))
                     .direction,
-                sightOfProxy(ProxyHit(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
+                sightOfProxy(MAKE(ProxyHit)(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
                              normalize(vec3(p.x, 0.75f, p.z)))
                     .enlargement)),
     PARITY(roughnessBeyondProxy, unit, kTight, vec4(roughnessBeyondProxy(p.x, 4.0f * p.y))),
     // Of a smooth cube a ray may graze what it meets, and then its share is a root of rounded numbers.
     PARITY(behindCaptured, direction, kTight,
-           vec4(behindCaptured(SmoothCube(0.5f), vec3(q), vec3(p), 0.5f + 0.5f * r.x))),
-    PARITY(
-        shareOfHit, direction, kTranscendental,
-        vec4(shareOfHit(SmoothCube(1.0f), vec3(0.25f, 0.125f * p.y, 0.0f), vec3(0.25f, 0.125f * p.x, 0.125f * p.z)))),
-    PARITY(
-        capturedSight, direction, kTranscendental,
-        vec4(
-            capturedSight(SmoothCube(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z))).direction,
-            capturedSight(SmoothCube(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z)))
-                .enlargement)),
+           vec4(behindCaptured(MAKE(SmoothCube)(0.5f), vec3(q), vec3(p), 0.5f + 0.5f * r.x))),
+    PARITY(shareOfHit, direction, kTranscendental,
+           vec4(shareOfHit(MAKE(SmoothCube)(1.0f), vec3(0.25f, 0.125f * p.y, 0.0f),
+                           vec3(0.25f, 0.125f * p.x, 0.125f * p.z)))),
+    PARITY(capturedSight, direction, kTranscendental,
+           vec4(capturedSight(MAKE(SmoothCube)(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z)))
+                    .direction,
+                capturedSight(MAKE(SmoothCube)(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z)))
+                    .enlargement)),
     PARITY(nearestToCapture, direction, kTight, vec4(nearestToCapture(vec3(q), vec3(p), vec3(r)), 0.0f)),
 
     // sampling
@@ -200,15 +201,15 @@ const Case kCases[] = {
     PARITY(footprintLod, unit, kTight, vec4(footprintLod(p.x, 1.0f + 2048.0f * r.x), 0.0f, 0.0f, 0.0f)),
 
     // flat_cube, of a picture of 48 × 24 texels
-    PARITY(flatSize, unit, kExact, vec4(float(flatSize(SmoothMap(48.0f), int(2.9375f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(flatSize, unit, kExact, vec4(float(flatSize(MAKE(SmoothMap)(48.0f), int(2.9375f * p.x))), 0.0f, 0.0f, 0.0f)),
     PARITY(flatTexel, unit, kExact,
-           flatTexel(SmoothMap(64.0f), int(5.9375f * r.x), ivec2(int(40.0f * p.x) - 10, int(40.0f * p.y) - 10),
+           flatTexel(MAKE(SmoothMap)(64.0f), int(5.9375f * r.x), ivec2(int(40.0f * p.x) - 10, int(40.0f * p.y) - 10),
                      int(2.9375f * q.x))),
-    PARITY(flatNearest, direction, kExact, flatNearest(SmoothMap(64.0f), vec3(p), int(2.9375f * r.x))),
-    PARITY(flatBilinear, direction, kTight, flatBilinear(SmoothMap(64.0f), vec3(p), int(2.9375f * r.x))),
-    PARITY(flatLastLevel, unit, kExact, vec4(flatLastLevel(SmoothMap(64.0f)), 0.0f, 0.0f, 0.0f)),
-    PARITY(flatNearestLod, direction, kExact, flatNearestLod(SmoothMap(64.0f), vec3(p), 5.0f * r.x)),
-    PARITY(flatTrilinear, direction, kTight, flatTrilinear(SmoothMap(64.0f), vec3(p), 5.0f * r.x)),
+    PARITY(flatNearest, direction, kExact, flatNearest(MAKE(SmoothMap)(64.0f), vec3(p), int(2.9375f * r.x))),
+    PARITY(flatBilinear, direction, kTight, flatBilinear(MAKE(SmoothMap)(64.0f), vec3(p), int(2.9375f * r.x))),
+    PARITY(flatLastLevel, unit, kExact, vec4(flatLastLevel(MAKE(SmoothMap)(64.0f)), 0.0f, 0.0f, 0.0f)),
+    PARITY(flatNearestLod, direction, kExact, flatNearestLod(MAKE(SmoothMap)(64.0f), vec3(p), 5.0f * r.x)),
+    PARITY(flatTrilinear, direction, kTight, flatTrilinear(MAKE(SmoothMap)(64.0f), vec3(p), 5.0f * r.x)),
 
     // ground
     PARITY(groundPlace, direction, kTight, vec4(groundPlace(vec3(p.x, -0.0625f - abs(p.y), p.z)), 0.0f, 0.0f)),

@@ -135,8 +135,12 @@ std::string parityName(const ::testing::TestParamInfo<ParityTest::ParamType>& te
   return fs::path(file).stem().string() + '_' + gl::shortNameOf(api);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formulas, ParityTest,
-                         ::testing::Combine(::testing::Values(gl::Api::desktop43, gl::Api::es30),
+INSTANTIATE_TEST_SUITE_P(Desktop, ParityTest,
+                         ::testing::Combine(::testing::Values(gl::Api::desktop43),
+                                            ::testing::ValuesIn(filesWithFunctions())),
+                         parityName);
+INSTANTIATE_TEST_SUITE_P(Es, ParityTest,
+                         ::testing::Combine(::testing::Values(gl::Api::es30),
                                             ::testing::ValuesIn(filesWithFunctions())),
                          parityName);
 

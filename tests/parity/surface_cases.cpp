@@ -10,30 +10,31 @@ const Case kSurfaceCases[] = {
     PARITY(curvatureOfPixels, direction, kTight,
            vec4(curvatureOfPixels(vec3(p) + vec3(2.0f), vec3(q), vec3(q) - vec3(2.0f), vec3(r)))),
     PARITY(wayToBackFace, direction, kTight,
-           vec4(wayToBackFace(BackFace(2.0f * vec3(p), vec3(p), 0.0f), vec3(0.5f * q.x, 0.0f, 0.0f),
+           vec4(wayToBackFace(MAKE(BackFace)(2.0f * vec3(p), vec3(p), 0.0f), vec3(0.5f * q.x, 0.0f, 0.0f),
                               normalize(vec3(p) + 0.5f * vec3(q))))),
     PARITY(normalBesideBackFace, direction, kTight,
-           vec4(normalBesideBackFace(BackFace(vec3(p), vec3(p), 0.5f * q.w), vec3(p) + 0.25f * vec3(q)), 0.0f)),
+           vec4(normalBesideBackFace(MAKE(BackFace)(vec3(p), vec3(p), 0.5f * q.w), vec3(p) + 0.25f * vec3(q)), 0.0f)),
 
     // beam
     PARITY(refractionOfBeam, unit, kTight, vec4(refractionOfBeam(p.x, p.y, 0.5f + q.x, 4.0f * q.y - 2.0f), 0.0f)),
     PARITY(reflectionOfBeam, unit, kTight, vec4(reflectionOfBeam(p.x, p.y, 4.0f * q.y - 2.0f), 0.0f)),
     PARITY(beamBeyond, unit, kTight,
-           vec4(beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).lobe,
-                beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).pixel.x)),
+           vec4(beamBeyond(MAKE(Beam)(vec3(p), vec2(r.x, r.y)), vec3(q)).lobe,
+                beamBeyond(MAKE(Beam)(vec3(p), vec2(r.x, r.y)), vec3(q)).pixel.x)),
     PARITY(beamAfter, unit, kTight,
-           vec4(beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).lobe,
-                beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).pixel.y)),
-    PARITY(roughnessOfBeam, unit, kTight, vec4(roughnessOfBeam(Beam(vec3(p), vec2(0.0f))), 0.0f, 0.0f, 0.0f)),
-    PARITY(footprintOfBeam, unit, kTight, vec4(footprintOfBeam(Beam(vec3(p), vec2(4.0f * q.x))), 0.0f, 0.0f, 0.0f)),
+           vec4(beamAfter(MAKE(Beam)(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).lobe,
+                beamAfter(MAKE(Beam)(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).pixel.y)),
+    PARITY(roughnessOfBeam, unit, kTight, vec4(roughnessOfBeam(MAKE(Beam)(vec3(p), vec2(0.0f))), 0.0f, 0.0f, 0.0f)),
+    PARITY(footprintOfBeam, unit, kTight,
+           vec4(footprintOfBeam(MAKE(Beam)(vec3(p), vec2(4.0f * q.x))), 0.0f, 0.0f, 0.0f)),
 
     // brdf_table
     PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
 
-    PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(SmoothMap(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(brdfTexel, unit, kTight, brdfTexel(SmoothMap(32.0f), p.x, p.y)),
-    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f)),
+    PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(MAKE(SmoothMap)(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(brdfTexel, unit, kTight, brdfTexel(MAKE(SmoothMap)(32.0f), p.x, p.y)),
+    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(MAKE(SmoothMap)(32.0f), p.x, p.y), 0.0f)),
 
     // diffuse
     PARITY(evalDiffuse, unit, kTight, vec4(evalDiffuse())),
@@ -108,13 +109,14 @@ const Case kSurfaceCases[] = {
            vec4(meanOverSpectrum(2.0f * p.x).cosine, meanOverSpectrum(2.0f * p.x).sine.y)),
     PARITY(higherOrders, unit, kTranscendental, vec4(higherOrders(0.875f * vec3(q), 4.0f * vec3(r), 0.5f * p.y), 0.0f)),
     PARITY(sumWithoutSpectrum, unit, kTranscendental,
-           vec4(sumWithoutSpectrum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 0.5f * p.y), 0.0f)),
+           vec4(sumWithoutSpectrum(MAKE(FilmSides)(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 0.5f * p.y),
+                0.0f)),
     PARITY(spectralOrder, unit, kTranscendental,
-           vec4(spectralOrder(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 1 + int(2.9375f * p.y),
-                              SpectrumMean(vec3(0.5f), vec3(0.25f, 0.75f, 0.5f))),
+           vec4(spectralOrder(MAKE(FilmSides)(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)),
+                              1 + int(2.9375f * p.y), MAKE(SpectrumMean)(vec3(0.5f), vec3(0.25f, 0.75f, 0.5f))),
                 0.0f)),
     PARITY(reflectanceOfSum, unit, kTight,
-           vec4(reflectanceOfSum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), vec3(0.0f)), vec3(r)), 0.0f)),
+           vec4(reflectanceOfSum(MAKE(FilmSides)(1.5f * p.x - 0.75f, 0.875f * vec3(q), vec3(0.0f)), vec3(r)), 0.0f)),
     PARITY(filmReflectance, unit, kTranscendental,
            vec4(filmReflectance(0.0625f + 0.9375f * p.x, 1.0625f + p.y, 0.75f * p.z, vec3(0.25f) + 2.0f * vec3(q),
                                 r.w < 0.5f ? vec3(0.0f) : vec3(0.125f) + 3.0f * vec3(r)),
@@ -169,8 +171,8 @@ const Case kSurfaceCases[] = {
     PARITY(iorOfSellmeier, unit, kTight,
            vec4(iorOfSellmeier(p, q * 0.03125f, 0.375f + 0.375f * r.x), 0.0f, 0.0f, 0.0f)),
     PARITY(iorAtWavelength, unit, kTight,
-           vec4(iorAtWavelength(RefractiveIndex(1.5f, p.y, vec4(0.0f), vec4(0.0f)), 0.375f + 0.375f * r.x),
-                iorAtWavelength(RefractiveIndex(1.5f, p.y, p, q * 0.03125f), 0.375f + 0.375f * r.x), 0.0f, 0.0f)),
+           vec4(iorAtWavelength(MAKE(RefractiveIndex)(1.5f, p.y, vec4(0.0f), vec4(0.0f)), 0.375f + 0.375f * r.x),
+                iorAtWavelength(MAKE(RefractiveIndex)(1.5f, p.y, p, q * 0.03125f), 0.375f + 0.375f * r.x), 0.0f, 0.0f)),
 
     // phong
     PARITY(phongMirror, direction, kExact, vec4(phongMirror(vec3(p)), 0.0f)),
@@ -235,15 +237,16 @@ const Case kSurfaceCases[] = {
 
     // texgen
     PARITY(objectCoordinates, direction, kExact,
-           objectCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+           objectCoordinates(MAKE(TexgenPoint)(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
     PARITY(placeCoordinates, direction, kExact,
-           placeCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+           placeCoordinates(MAKE(TexgenPoint)(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
     PARITY(normalCoordinates, direction, kExact,
-           normalCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(reflectionCoordinates, direction, kTight,
-           reflectionCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+           normalCoordinates(MAKE(TexgenPoint)(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(
+        reflectionCoordinates, direction, kTight,
+        reflectionCoordinates(MAKE(TexgenPoint)(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
     PARITY(sphereCoordinates, direction, kTight,
-           sphereCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+           sphereCoordinates(MAKE(TexgenPoint)(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
     PARITY(coordinatesOfUv, unit, kExact, coordinatesOfUv(vec2(p))),
     PARITY(uvOfCoordinates, unit, kTight, vec4(uvOfCoordinates(p + vec4(0.0f, 0.0f, 0.0f, 0.5f)), 0.0f, 0.0f)),
     PARITY(projectedShare, direction, kExact, vec4(projectedShare(p), 0.0f, 0.0f, 0.0f)),
@@ -255,25 +258,26 @@ const Case kSurfaceCases[] = {
            vec4(wrappedTexel(floor(64.0f * p.x) - 32.0f, 1.0f + floor(15.0f * p.y), int(2.9375f * r.x)), 0.0f, 0.0f,
                 0.0f)),
     PARITY(wrappedFetch, unit, kExact,
-           wrappedFetch(SmoothMap(16.0f), floor(64.0f * vec2(p)) - vec2(32.0f), int(3.9375f * r.x),
-                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
+           wrappedFetch(MAKE(SmoothMap)(16.0f), floor(64.0f * vec2(p)) - vec2(32.0f), int(3.9375f * r.x),
+                        MAKE(MapSampling)(int(2.9375f * r.y), int(2.9375f * r.z), false))),
     PARITY(nearestTexel, unit, kExact,
-           nearestTexel(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), 1,
-                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), true))),
+           nearestTexel(MAKE(SmoothMap)(16.0f), 4.0f * vec2(p) - vec2(2.0f), 1,
+                        MAKE(MapSampling)(int(2.9375f * r.y), int(2.9375f * r.z), true))),
     PARITY(bilinearTexels, unit, kTight,
-           bilinearTexels(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), int(3.9375f * r.x),
-                          MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
-    PARITY(mapInPixel, unit, kTranscendental,
-           mapInPixel(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), vec2(0.25f * q.x, 0.0f), vec2(0.0f, 0.5f * q.y),
-                      3.0f, MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f), int(3.9375f * r.x))),
+           bilinearTexels(MAKE(SmoothMap)(16.0f), 4.0f * vec2(p) - vec2(2.0f), int(3.9375f * r.x),
+                          MAKE(MapSampling)(int(2.9375f * r.y), int(2.9375f * r.z), false))),
+    PARITY(
+        mapInPixel, unit, kTranscendental,
+        mapInPixel(MAKE(SmoothMap)(16.0f), 4.0f * vec2(p) - vec2(2.0f), vec2(0.25f * q.x, 0.0f), vec2(0.0f, 0.5f * q.y),
+                   3.0f, MAKE(MapSampling)(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f), int(3.9375f * r.x))),
 
     // filter_kind
     PARITY(readsMipLevels, unit, kExact, vec4(readsMipLevels(int(3.9375f * p.x)) ? 1.0f : 0.0f)),
     PARITY(readsAlong, unit, kExact, vec4(float(readsAlong(40.0f * p.x, 4.0f * q.x)))),
     PARITY(placeOfRead, unit, kTight, vec4(placeOfRead(int(15.0f * p.x), 16))),
     PARITY(filteredMap, unit, kTight,
-           filteredMap(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
-                       MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),
+           filteredMap(MAKE(SmoothMap)(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
+                       MAKE(MapSampling)(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),
 
     // clear_coat
     PARITY(coatMaterial, direction, kExact,
@@ -302,12 +306,12 @@ const Case kSurfaceCases[] = {
                         openingOf(vec3(p), 0.25f * vec3(q), r.x).is_occluded_by_one)),
     PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
     PARITY(lobeInOpening, direction, kTranscendental,
-           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
+           vec4(lobeInOpening(MAKE(Opening)(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
     PARITY(roughnessOfCone, unit, kTranscendental, vec4(roughnessOfCone(1.5f * p.x))),
     PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
     PARITY(lightBesideOccluded, unit, kTight, vec4(lightBesideOccluded(vec3(p), vec3(q), 0.5f * vec3(q), r.x), 0.0f)),
     PARITY(shareBesideOccluded, unit, kTight,
-           vec4(shareBesideOccluded(Opening(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
+           vec4(shareBesideOccluded(MAKE(Opening)(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
 
     // shading
     PARITY(hasConductorIndex, direction, kExact,
@@ -342,23 +346,22 @@ const Case kSurfaceCases[] = {
                 0.0f, 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental,
            vec4(smoothDielectric(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
-    PARITY(firstOfSeveral, unit, kExact, vec4(firstOfSeveral(FacetShares(vec3(p), vec3(q), vec3(r))), 0.0f)),
-    PARITY(
-        roughReflectance, direction, kTight,
-        vec4(
-            roughReflectance(testSurface(p, q, r), FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.w))).single_scattering,
-            roughReflectance(testSurface(p, q, r), FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.w)))
-                .multiple_scattering.x)),
+    PARITY(firstOfSeveral, unit, kExact, vec4(firstOfSeveral(MAKE(FacetShares)(vec3(p), vec3(q), vec3(r))), 0.0f)),
+    PARITY(roughReflectance, direction, kTight,
+           vec4(roughReflectance(testSurface(p, q, r), MAKE(FacetShares)(vec3(r), vec3(0.5f * r.x), vec3(r.w)))
+                    .single_scattering,
+                roughReflectance(testSurface(p, q, r), MAKE(FacetShares)(vec3(r), vec3(0.5f * r.x), vec3(r.w)))
+                    .multiple_scattering.x)),
     PARITY(facetsSeen, direction, kTight, vec4(facetsSeen(testSurface(p, q, r), p.w), 0.0f, 0.0f)),
     PARITY(facetShares, direction, kTranscendental,
            vec4(facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).seen,
                 facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).mean.x)),
     PARITY(dielectricOf, direction, kTranscendental,
            vec4(dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
-                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
+                             MAKE(FacetShares)(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
                     .single_scattering,
                 dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
-                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
+                             MAKE(FacetShares)(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
                     .multiple_scattering.x)),
     PARITY(inFrame, direction, kTight, vec4(inFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
     PARITY(eyeInFrame, direction, kTight, vec4(eyeInFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
@@ -397,19 +400,21 @@ const Case kSurfaceCases[] = {
 
     // lamp: around a place within its range
     PARITY(towardsLamp, direction, kTight,
-           vec4(towardsLamp(Lamp(int(3.9375f * r.z), vec3(q), vec3(p), vec3(1.0f), 4.0f, 0.9f, 0.3f), 4.0f * vec3(r)),
+           vec4(towardsLamp(MAKE(Lamp)(int(3.9375f * r.z), vec3(q), vec3(p), vec3(1.0f), 4.0f, 0.9f, 0.3f),
+                            4.0f * vec3(r)),
                 0.0f)),
     PARITY(shareInRange, unit, kTight,
-           vec4(shareInRange(Lamp(1, vec3(0.0f), vec3(0.0f), vec3(1.0f), r.x < 0.25f ? 0.0f : 2.0f, 1.0f, 0.0f),
+           vec4(shareInRange(MAKE(Lamp)(1, vec3(0.0f), vec3(0.0f), vec3(1.0f), r.x < 0.25f ? 0.0f : 2.0f, 1.0f, 0.0f),
                              6.0f * p.x),
                 0.0f, 0.0f, 0.0f)),
     PARITY(shareInCone, direction, kTight,
-           vec4(shareInCone(Lamp(2, vec3(0.0f), vec3(p), vec3(1.0f), 0.0f, 0.75f, 0.25f), vec3(q)), 0.0f, 0.0f, 0.0f)),
-    PARITY(
-        lampIlluminance, direction, kTranscendental,
-        vec4(lampIlluminance(Lamp(1 + int(2.9375f * r.z), vec3(q), vec3(p), vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f),
-                             4.0f * vec3(r)),
-             0.0f)),
+           vec4(shareInCone(MAKE(Lamp)(2, vec3(0.0f), vec3(p), vec3(1.0f), 0.0f, 0.75f, 0.25f), vec3(q)), 0.0f, 0.0f,
+                0.0f)),
+    PARITY(lampIlluminance, direction, kTranscendental,
+           vec4(lampIlluminance(
+                    MAKE(Lamp)(1 + int(2.9375f * r.z), vec3(q), vec3(p), vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f),
+                    4.0f * vec3(r)),
+                0.0f)),
 
     // lamp_shading, of surfaces that are not so smooth that rounding moves their highlight
     PARITY(shadedByPunctualLight, direction, kTranscendental,
@@ -419,19 +424,19 @@ const Case kSurfaceCases[] = {
     PARITY(shadedByLamp, direction, kTranscendental,
            vec4(shadedByLamp(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)), vec3(p),
                              vec3(0.0f),
-                             Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
-                                  vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
+                             MAKE(Lamp)(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
+                                        vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
                 0.0f)),
 
     // sun, as wide as a degree or ten
     PARITY(squaredDistance, direction, kTight, vec4(squaredDistance(vec3(p), vec3(q)), 0.0f, 0.0f, 0.0f)),
     PARITY(shownRadius, unit, kTight,
-           vec4(shownRadius(Sun(vec3(q), 0.01f + 0.1f * p.x, vec3(1.0f)), 0.01f * p.y), 0.0f, 0.0f, 0.0f)),
+           vec4(shownRadius(MAKE(Sun)(vec3(q), 0.01f + 0.1f * p.x, vec3(1.0f)), 0.01f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(shareInDisc, unit, kTight,
            vec4(shareInDisc(p.x, 0.125f + p.y, p.z, 0.0f), shareInDisc(p.x, 0.125f + p.y, 0.0f, 0.25f), 0.0f, 0.0f)),
     PARITY(meanCosineOfLobe, unit, kTranscendental, vec4(meanCosineOfLobe(0.9f * p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(sunInLobe, direction, kTranscendental,
-           vec4(sunInLobe(Sun(vec3(q), 0.01f + 0.1f * r.x, vec3(1.0f, 2.0f, 3.0f)), vec3(p), 0.25f + 0.625f * r.y,
+           vec4(sunInLobe(MAKE(Sun)(vec3(q), 0.01f + 0.1f * r.x, vec3(1.0f, 2.0f, 3.0f)), vec3(p), 0.25f + 0.625f * r.y,
                           0.01f * r.z),
                 0.0f)),
     PARITY(facingDisc, unit, kTight, vec4(facingDisc(p.x - 0.5f, 0.01f + 0.1f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -446,7 +451,7 @@ const Case kSurfaceCases[] = {
              0.0f, 0.0f, 0.0f)),
     PARITY(shadedBySun, direction, kTranscendental,
            vec4(shadedBySun(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)), vec3(p),
-                            Sun(normalize(vec3(0.5f, 0.75f, 0.25f)), 0.05f, vec3(1.0f, 2.0f, 3.0f)), 0.01f * r.z),
+                            MAKE(Sun)(normalize(vec3(0.5f, 0.75f, 0.25f)), 0.05f, vec3(1.0f, 2.0f, 3.0f)), 0.01f * r.z),
                 0.0f)),
     PARITY(shadowTap, unit, kTranscendental, vec4(shadowTap(int(7.9375f * p.x), 8, p.y), 0.0f, 0.0f)),
     PARITY(slopeInShadow, direction, kTight, vec4(slopeInShadow(vec3(p)), 0.0f, 0.0f)),
@@ -455,23 +460,27 @@ const Case kSurfaceCases[] = {
     PARITY(halvesOf, unit, kExact, halvesOf(floatBitsToUint(p.x) & 0x3bff3bffu, floatBitsToUint(p.y) & 0x3bff3bffu)),
     PARITY(cellOfTriangle, unit, kExact,
            vec4(float(cellOfTriangle(vec2(q.x, (1.0f - q.x) * q.y), 1 + int(31.0f * p.x))), 0.0f, 0.0f, 0.0f)),
-    PARITY(isHole, unit, kExact,
-           vec4(isHole(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y))) ? 1.0f
-                                                                                                              : 0.0f,
-                0.0f, 0.0f, 0.0f)),
     PARITY(
-        sceneSurfaceAt, unit, kTight,
-        vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                 .interreflected,
-             1.0f) +
-            vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                         .lit_from +
-                     sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
-                                    vec3(r) - 0.51f)
-                         .emitted,
-                 1.0f) +
-            sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                .occluded),
+        isHole, unit, kExact,
+        vec4(isHole(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y)))
+                 ? 1.0f
+                 : 0.0f,
+             0.0f, 0.0f, 0.0f)),
+    PARITY(sceneSurfaceAt, unit, kTight,
+           vec4(sceneSurfaceAt(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
+                               vec3(r) - 0.51f)
+                    .interreflected,
+                1.0f) +
+               vec4(sceneSurfaceAt(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
+                                   vec3(r) - 0.51f)
+                            .lit_from +
+                        sceneSurfaceAt(MAKE(SmallTree)(1.0f),
+                                       MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
+                            .emitted,
+                    1.0f) +
+               sceneSurfaceAt(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
+                              vec3(r) - 0.51f)
+                   .occluded),
 
     // triangle_tree
     PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),
@@ -490,33 +499,35 @@ const Case kSurfaceCases[] = {
                                   normalize(vec3(p.x, p.y, 2.0f)), kNarrowMargin),
                 0.0f)),
     PARITY(nearestOfLeaf, direction, kTranscendental,
-           vec4(nearestOfLeaf(SmallTree(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
+           vec4(nearestOfLeaf(MAKE(SmallTree)(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
                               normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1, kNarrowMargin,
-                              TriangleHit(9.0f, -1, vec2(0.0f)))
+                              MAKE(TriangleHit)(9.0f, -1, vec2(0.0f)))
                     .distance)),
     PARITY(
         nearestTriangle, direction, kTranscendental,
-        vec4(nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+        vec4(nearestTriangle(MAKE(SmallTree)(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
                              normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
                  .distance,
-             nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+             nearestTriangle(MAKE(SmallTree)(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
                              normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
                  .barycentric,
              0.0f)),
     PARITY(nearestTriangleBeside, direction, kTranscendental,
-           vec4(nearestTriangleBeside(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+           vec4(nearestTriangleBeside(MAKE(SmallTree)(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
                                       normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1,
                                       q.w < 0.5f ? 0 : leafOf(0, 1), kNarrowMargin)
                     .distance)),
     PARITY(curvatureAlong, direction, kTight, vec4(curvatureAlong(vec3(p) + vec3(2.0f), vec3(q)), 0.0f, 0.0f, 0.0f)),
-    PARITY(bodySurfaceAt, unit, kTight,
-           vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,
-                bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).curvature)),
+    PARITY(
+        bodySurfaceAt, unit, kTight,
+        vec4(bodySurfaceAt(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,
+             bodySurfaceAt(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)))
+                 .curvature)),
     PARITY(bodyAt, unit, kExact,
-           vec4(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.ior,
-                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.dispersion,
-                float(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).priority),
-                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.sellmeier_c.y)),
+           vec4(bodyAt(MAKE(SmallTree)(1.0f), int(1.9375f * p.x)).index.ior,
+                bodyAt(MAKE(SmallTree)(1.0f), int(1.9375f * p.x)).index.dispersion,
+                float(bodyAt(MAKE(SmallTree)(1.0f), int(1.9375f * p.x)).priority),
+                bodyAt(MAKE(SmallTree)(1.0f), int(1.9375f * p.x)).index.sellmeier_c.y)),
 
     // wavelength
     PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),

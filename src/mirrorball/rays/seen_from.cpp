@@ -68,7 +68,7 @@ glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTri
 }
 
 bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& instance) {
-  constexpr std::size_t kTriangles = 16;
+  constexpr std::size_t kAskedTriangles = 16;
   constexpr float kFewest = 1.0f / 64.0f;
   const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
   const Material& material = scene.materials[std::size_t(mesh.material)];
@@ -76,7 +76,7 @@ bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& in
   if (!material.double_sided || material.transmission > 0.0f || mesh.first_of_relief > 0 ||
       material.height != HeightKind::none || triangles == 0)
     return false;
-  const std::size_t asked = std::min(triangles, kTriangles);
+  const std::size_t asked = std::min(triangles, kAskedTriangles);
   float open = 0.0f;
   for (std::size_t i = 0; i < asked; ++i)
     open += seenFrom(scene, geometry, placedTriangle(mesh, instance, i * triangles / asked).turnedOver(),
@@ -86,19 +86,19 @@ bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& in
 }
 
 Result<bool> hidesItself(const Scene& scene) {
-  constexpr std::size_t kTriangles = 1000;
-  constexpr float kOpen = 0.9f;
+  constexpr std::size_t kAskedTriangles = 1000;
+  constexpr float kMostlyOpen = 0.9f;
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
   std::size_t count = 0;
   for (const Instance& instance : scene.instances)
     count += scene.meshes[std::size_t(instance.mesh)]->indices.size() / 3;
-  const std::size_t step = std::max<std::size_t>(1, (count + kTriangles - 1) / kTriangles);
+  const std::size_t step = std::max<std::size_t>(1, (count + kAskedTriangles - 1) / kAskedTriangles);
   std::size_t next = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const std::size_t triangles = mesh.indices.size() / 3;
     for (; next < triangles; next += step)
-      if (seenFrom(scene, geometry, placedTriangle(mesh, instance, next), glm::vec3(1.0f / 3.0f)).w < kOpen)
+      if (seenFrom(scene, geometry, placedTriangle(mesh, instance, next), glm::vec3(1.0f / 3.0f)).w < kMostlyOpen)
         return true;
     next -= triangles;
   }

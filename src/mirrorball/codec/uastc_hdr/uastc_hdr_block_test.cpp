@@ -219,7 +219,7 @@ TEST(UastcHdrBlock, AnyBitsAreSurvived) {
     if (round % 2 > 0) {
       setBits(block, 2, 2, 0);
       setBits(block, 5, 4, 2);
-      setBits(block, 10, 3, random() % 2 << 1);
+      setBits(block, 10, 3, std::uint32_t(random() % 2 << 1));
     }
     Halves halves;
     if (!decodeUastcHdrBlock(block, halves)) continue;

@@ -203,7 +203,7 @@ TEST_P(SunSplitFrame, WhereItIsNoDirectionItStaysInTheMap) {
                                       {"mapping", "normal"},
                                       {"mapping", "sphere"},
                                       {"reflect-at", "vertex"}}) {
-    const auto change = [&](FrameSettings& frame) { testing::set(frame, option, value); };
+    const auto change = [&, name = option, text = value](FrameSettings& frame) { testing::set(frame, name, text); };
     EXPECT_TRUE(areSame(imageOf(ballOf(metal(0.3f)), SunKind::split, change),
                         imageOf(ballOf(metal(0.3f)), SunKind::map, change)))
         << option << " " << value;

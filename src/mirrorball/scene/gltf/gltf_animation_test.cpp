@@ -287,9 +287,9 @@ TEST(GltfPointer, MovesLightsAndCameras) {
   const std::string lamp = "/extensions/KHR_lights_punctual/lights/0/";
   walk.point(lamp + "intensity", {0, 1}, {0, 10}, "SCALAR")
       .point(lamp + "range", {0, 1}, {2, 4}, "SCALAR")
-      .point(lamp + "spot/outerConeAngle", {0, 1}, {0.5, 0.7}, "SCALAR")
+      .point(lamp + "spot/outerConeAngle", {0, 1}, {0.5f, 0.7f}, "SCALAR")
       .point("/extensions/KHR_lights_punctual/lights/1/color", {0, 1}, {1, 1, 1, 0, 0, 1}, "VEC3")
-      .point("/cameras/0/perspective/yfov", {0, 1}, {0.4, 0.8}, "SCALAR")
+      .point("/cameras/0/perspective/yfov", {0, 1}, {0.4f, 0.8f}, "SCALAR")
       .point("/cameras/1/orthographic/ymag", {0, 1}, {1, 5}, "SCALAR")
       .point("/nodes/0/translation", {0, 1}, {0, 0, 0, 2, 0, 0}, "VEC3");
   const Scene rest = decodedScene(

@@ -184,7 +184,7 @@ TEST(ConeDepth, PassesThroughNoSurface) {
       const glm::vec2 from = glm::vec2(random) * float(kSide);
       const glm::vec2 way = run * glm::vec2(std::cos(azimuth), std::sin(azimuth));
       const float met = formula::exactSearch(*texture, map, glm::vec3(from, 1.0f), glm::vec3(from + way, 0.0f), false);
-      const float depth = formula::coneDepth(HeightsAndCones(*texture), map, formula::ReliefRay(from, way), kSteps);
+      const float depth = formula::coneDepth(HeightsAndCones{*texture}, map, formula::ReliefRay{from, way}, kSteps);
       ASSERT_LT(depth, met + 0.01f) << "ray " << i << ", run " << run;
       early += depth < std::min(met, 1.0f) - 0.01f ? 1 : 0;
     }

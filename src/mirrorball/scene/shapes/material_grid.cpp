@@ -46,8 +46,8 @@ Material changed(Material material, std::string_view assignments) {
 std::span<const MaterialGrid> materialGrids() { return kGrids; }
 
 Scene materialGridScene(const MaterialGrid& grid) {
-  constexpr float kRadius = 0.9f;
-  constexpr int kRings = 48;
+  constexpr float kBallRadius = 0.9f;
+  constexpr int kBallRings = 48;
   const std::vector<std::string> columns = split(grid.columns, ' ');
   const std::vector<std::string> rows = split(grid.rows, ' ');
   const Material base = changed(*materialNamed(grid.material), grid.set);
@@ -57,13 +57,13 @@ Scene materialGridScene(const MaterialGrid& grid) {
     for (std::size_t column = 0; column < columns.size(); ++column) {
       const std::string both =
           std::string(grid.column) + "=" + columns[column] + " " + std::string(grid.row) + "=" + rows[row];
-      Mesh mesh = sphereMesh(kRings, 2 * kRings);
+      Mesh mesh = sphereMesh(kBallRings, 2 * kBallRings);
       mesh.material = static_cast<int>(scene.materials.size());
       scene.materials.push_back(changed(base, both));
       const glm::vec3 place(2.0f * (static_cast<float>(column) - middle.x), 2.0f * (middle.y - static_cast<float>(row)),
                             0.0f);
       scene.instances.push_back({static_cast<int>(scene.meshes.size()),
-                                 glm::scale(glm::translate(facingViewer(), place), glm::vec3(kRadius))});
+                                 glm::scale(glm::translate(facingViewer(), place), glm::vec3(kBallRadius))});
       scene.meshes.push_back(std::move(mesh));
     }
   return scene;

@@ -13,16 +13,13 @@ set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example a
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
-# -O3 is for the rooms that compute (mirrorball_room): of the others it would only make the compiler's work a quarter more.
+# How far each target is optimised stands in MirrorballCompilation.cmake; these are the flags that the others have.
 if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")  # CMake's own choice
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 endif()
-# Dev is Release with assertions and line numbers: fast enough to run every test with.
-set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
+# Dev has assertions and line numbers.
+set(CMAKE_CXX_FLAGS_DEV "-O1 -g1")
 set(CMAKE_EXE_LINKER_FLAGS_DEV "")
-
-# Of the tests' own code: most of it runs once, and takes longer to compile than to run.
-set(mirrorball_test_options $<$<NOT:$<CONFIG:Debug>>:-O1>)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -31,7 +28,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 # The rooms may end up in a shared library, so all code is position independent; as much of it is inlined as if it were
 # not. In programs too: precompiled headers only serve what is compiled with the same options.
 if(NOT EMSCRIPTEN)
-  add_compile_options(-fPIC -fno-semantic-interposition)
+  add_compile_options(-fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 endif()
 
 # Results must not depend on whether a compiler fuses a multiplication with an addition.
@@ -59,8 +56,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 if(MIRRORBALL_SANITIZE)
-  # The sanitizers' checks make -O2 half as slow again to compile as -O1, for little speed.
-  set(CMAKE_CXX_FLAGS_DEV "-O1 -g1")
   add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
 endif()

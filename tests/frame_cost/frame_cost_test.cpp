@@ -47,6 +47,7 @@ class FrameCostTest : public ::testing::Test {
   /// One thread and vectors of four floats, whatever the machine has; a driver reads this when it starts.
   static void SetUpTestSuite() {
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    ::unsetenv("GALLIVM_PERF");  // with which ./test has programs compiled for tests, not for frames
     ::setenv("LP_NUM_THREADS", "0", 1);
     ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     // Its cache on disk does not tell vectors of one width from those of another: what one process has compiled crashes

@@ -37,7 +37,7 @@ Result<Image8> readGolden(const fs::path& path) {
   const std::string label = path.parent_path().parent_path().filename();
   if (!fs::exists(path))
     return fail(ErrorCode::not_found, path.string() + ": there is no golden picture; to make it: " +
-                                          "MIRRORBALL_UPDATE_GOLDEN=1 ./test --quick -L " + label);
+                                          "MIRRORBALL_UPDATE_GOLDEN=1 ./test --module " + label);
   MIRRORBALL_TRY(bytes, readFile(path));
   return withName(path.string(), decodeTexture(bytes));
 }

@@ -3,7 +3,7 @@
 //
 // After a change that is meant to be seen, one command makes them anew, and counts these tests as skipped:
 //
-//     MIRRORBALL_UPDATE_GOLDEN=1 ./test --quick -L golden
+//     MIRRORBALL_UPDATE_GOLDEN=1 ./test -L golden
 //
 // Look at every picture that git then calls changed before you keep it. What the pictures are is in cases.cpp, and with
 // each tolerance the reason for it.

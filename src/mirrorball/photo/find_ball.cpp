@@ -92,6 +92,7 @@ std::optional<Candidate> fitCandidate(const PlanePicture& picture, const Circle&
     const auto edges = edgesAcross(picture, before, kRays, reach, blur, kWeakest / pixel);
     circle = mostSupported(edges, before, kRays, reach, tolerance);
     circle = refineCircle(edges, circle, 2.0 * tolerance, tolerance);
+    if (!std::isfinite(circle.radius_px)) return {};  // too few edges for a circle
     if (distanceBetween(circle, before) < 0.5 * reach) break;
   }
   if (!(circle.radius_px >= kMinRadius_px) || distanceBetween(circle, start) > 2.0 * reach) return {};

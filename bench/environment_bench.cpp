@@ -1,4 +1,4 @@
-// What it costs to make an environment ready for rendering: run build/dev/bench/environment_bench.
+// What it costs to make an environment ready for rendering: run build/bench/bench/environment_bench.
 #include <benchmark/benchmark.h>
 
 #include "mirrorball/bake/prefilter/mip_chain.h"

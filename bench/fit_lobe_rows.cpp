@@ -1,5 +1,5 @@
 // Fits the table of lobe rows that the program holds (docs/lobe_rows.md): run
-// build/release/bench/fit_lobe_rows src/mirrorball/bake/lobe_row/lobe_rows.ktx2
+// build/bench/bench/fit_lobe_rows src/mirrorball/bake/lobe_row/lobe_rows.ktx2
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-// What maps of heights cost, in memory: run build/dev/bench/height_field_bench.
+// What maps of heights cost, in memory: run build/bench/bench/height_field_bench.
 #include <cmath>
 #include <cstdint>
 #include <numbers>

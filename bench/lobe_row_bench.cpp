@@ -1,5 +1,5 @@
 // How far the light that rows of lobes reflect is from the sum over all texels of an environment under GGX's own lobe:
-// run build/release/bench/lobe_row_bench [PLOT.svg] ENV…
+// run build/bench/bench/lobe_row_bench [PLOT.svg] ENV…
 #include <array>
 #include <cmath>
 #include <cstdint>

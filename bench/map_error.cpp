@@ -1,5 +1,5 @@
 // How far prefiltered maps that any program wrote are from the sum over all texels of their environment: run
-// build/release/bench/map_error ENV FILE=ROUGHNESS FILE=irradiance…
+// build/bench/bench/map_error ENV FILE=ROUGHNESS FILE=irradiance…
 #include <array>
 #include <cstdio>
 #include <cstdlib>

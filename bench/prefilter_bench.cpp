@@ -1,5 +1,5 @@
 // Time, error and memory of ways to prefilter an environment, each method beside the sum over all texels: run
-// build/release/bench/prefilter_bench --help. docs/performance.md shows what it prints and draws.
+// build/bench/bench/prefilter_bench --help. docs/performance.md shows what it prints and draws.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

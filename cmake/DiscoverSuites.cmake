@@ -7,8 +7,9 @@
 #
 # PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. A suite's tier is one of its labels: that
-# of its row in ROWS (tests/suites.txt), else TIER. With SERIAL nothing runs beside them. MEASURE is a list of words that
-# comes before the suite's name and its command (tests/measured.sh).
+# of its row in ROWS (tests/suites.txt), else TIER. Those of the highest cost begin, so that all cores have work to the
+# end; with SERIAL nothing runs beside them. MEASURE is a list of words that comes before the suite's name and its command
+# (tests/measured.sh).
 cmake_minimum_required(VERSION 3.25)
 
 list(JOIN EXCEPT ":" except)
@@ -31,8 +32,9 @@ endif()
 string(REPLACE "." "\\." pattern "${NAME}")
 file(STRINGS "${ROWS}" rows REGEX "^[a-z]+ +[0-9.]+ +${pattern}\\.[^. ]+$")
 foreach(row IN LISTS rows)
-  string(REGEX MATCH "^([a-z]+) +[0-9.]+ +${pattern}\\.(.+)$" matched "${row}")
-  set(tier_of_${CMAKE_MATCH_2} ${CMAKE_MATCH_1})
+  string(REGEX MATCH "^([a-z]+) +([0-9.]+) +${pattern}\\.(.+)$" matched "${row}")
+  set(tier_of_${CMAKE_MATCH_3} ${CMAKE_MATCH_1})
+  set(cost_of_${CMAKE_MATCH_3} ${CMAKE_MATCH_2})
 endforeach()
 
 set(properties "ENVIRONMENT [==[${ENVIRONMENT}]==] TIMEOUT 600 SKIP_RETURN_CODE 77")
@@ -45,11 +47,13 @@ foreach(suite IN LISTS suites)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   set(test "[==[${NAME}.${suite}]==]")
   set(tier ${TIER})
+  set(cost 0)
   if(DEFINED tier_of_${suite})
     set(tier ${tier_of_${suite}})
+    set(cost ${cost_of_${suite}})
   endif()
   string(APPEND tests
     "add_test(${test} ${measure} ${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
-    "set_tests_properties(${test} PROPERTIES LABELS [==[${tier};${LABELS}]==] ${properties})\n")
+    "set_tests_properties(${test} PROPERTIES LABELS [==[${tier};${LABELS}]==] COST ${cost} ${properties})\n")
 endforeach()
 file(WRITE "${OUTPUT}" "${tests}")

@@ -82,7 +82,7 @@ formulaChanged() { # $1 a formula, $2 the commit
 # Launches that test alone which the commit has a way for.
 roomChanged() { # $1 a room, $2 one of its files, $3 the commit
   echo "// changed" >>"$scratch/$3/src/mirrorball/$1/$2"
-  if grep -q -- --room "$scratch/$3/test"; then
+  if grep -q -e --room "$scratch/$3/test"; then
     timed "$3" ./test --room "$1"
   else
     timed "$3" sh -c "cmake --build build/dev --target $1_test && build/dev/src/mirrorball/$1/$1_test"
@@ -136,7 +136,9 @@ if wanted formula; then
     row "\`formula/$formula\` changed → picture" formulaChanged "$formula"
   done
 fi
-if wanted quick || wanted room; then row "\`./test --quick\`, fresh clone" quick; fi
+if wanted quick; then row "\`./test --quick\`, fresh clone" quick; fi
+# The suites of a room that changed are built in a clone that has the others.
+if wanted test || wanted room; then row "\`./test\`, fresh clone" whole; fi
 if wanted room; then
   for file in base/text image/halve height_field/slopes metric/ssim codec/ldr/png environment/convert/convert \
     photo/find_ball bake/prefilter/prefilter output/save_map scene/gltf/gltf rays/scene_occlusion trace/path_tracer \
@@ -144,5 +146,4 @@ if wanted room; then
     row "\`$file.cpp\` changed → its room's tests have run" roomChanged "${file%%/*}" "${file#*/}.cpp"
   done
 fi
-if wanted test; then row "\`./test\`, fresh clone" whole; fi
 exit "$exit_code"

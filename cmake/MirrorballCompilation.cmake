@@ -5,11 +5,12 @@
 #                   Release  Dev
 #   COMPUTING       -O3     -O2   loops over texels and rays
 #   READING         -O2     -O1   loops over the bytes, vertices and texels of files
-#   PLAIN           -O2     -O0   what runs once for each start, file or frame
+#   PLAIN           -O2     -O0   code that runs once for each start, file or frame
 #   TEST            -O0     -O0   tests, most of whose own code runs once
 #   COMPUTING_TEST  -O1     -O1   tests that compute what they compare with, texel by texel
 #
-# In Dev, the tests' build, the optimiser works where that was measured to pay (docs/performance/build.md).
+# In Dev, the tests' build, the optimiser works where that was measured to pay (docs/performance/build.md). For browsers
+# -O0 is -O1.
 #
 # What most files include of the standard library and of GLM takes longer to read than the files themselves, so it is
 # compiled once for each kind: a compiler refuses a header that was compiled with another -O. Only headers from outside
@@ -26,6 +27,11 @@ set(mirrorball_options_reading "")
 set(mirrorball_options_plain $<$<CONFIG:Dev>:-O0>)
 set(mirrorball_options_test $<$<NOT:$<CONFIG:Debug>>:-O0>)
 set(mirrorball_options_computing_test $<$<NOT:$<CONFIG:Debug>>:-O1>)
+if(EMSCRIPTEN)
+  # Its code that is not optimised takes longer to run than it saves.
+  set(mirrorball_options_plain "")
+  set(mirrorball_options_test "")
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   # What the header's templates make is compiled with the header, not again in each file that includes it.
   add_compile_options(-fpch-instantiate-templates)
@@ -64,8 +70,8 @@ endif()
 # mirrorball_optimised_objects(RESULT TARGET…)
 #
 # The objects of all optimised rooms among these targets and what they need, for the head of a program's list of sources.
-# Of an inline function that is compiled in several objects a program gets the first one: without this, vectors and
-# formulas would be those of the tests or the command line, which are not optimised. In Release all are
+# Of an inline function that several objects contain, the linker keeps the first copy: without this, vectors and formulas
+# would be those of the tests or the command line, which are not optimised. In Release all are
 # optimised alike, and nothing need come first.
 function(mirrorball_optimised_objects result)
   set(objects)

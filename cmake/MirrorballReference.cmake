@@ -18,6 +18,6 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/Doxyfile.in" "${PROJECT_BINARY_DIR}/
 add_custom_target(reference COMMAND "${MIRRORBALL_DOXYGEN}" "${PROJECT_BINARY_DIR}/Doxyfile"
                   COMMENT "Writing ${PROJECT_BINARY_DIR}/reference/html/index.html" VERBATIM)
 if(MIRRORBALL_TESTS)
-  add_test(NAME Reference.HasNoWarnings COMMAND "${MIRRORBALL_DOXYGEN}" "${PROJECT_BINARY_DIR}/Doxyfile")
-  set_tests_properties(Reference.HasNoWarnings PROPERTIES LABELS house)
+  mirrorball_script_test(Reference.HasNoWarnings TIER all LABELS house
+    COMMAND "${MIRRORBALL_DOXYGEN}" "${PROJECT_BINARY_DIR}/Doxyfile")
 endif()

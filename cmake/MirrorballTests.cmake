@@ -4,20 +4,19 @@
 # The tier is one of the suite's labels for CTest, and the target tier_NAME builds the programs that have suites in it.
 set(mirrorball_suite_rows "${PROJECT_SOURCE_DIR}/tests/suites.txt")
 set(mirrorball_measure sh "${PROJECT_SOURCE_DIR}/tests/measured.sh" "${PROJECT_BINARY_DIR}/times")
-# Only rows that move a suite to another tier change what is built; new costs do not.
 file(STRINGS "${mirrorball_suite_rows}" mirrorball_rows REGEX "^[a-z]+ +[0-9.]+ +[^ ]+$")
 set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${mirrorball_suite_rows}")
 foreach(tier quick standard all sanitized browser long)
   add_custom_target(tier_${tier})
 endforeach()
-add_custom_target(tests_for_people DEPENDS tier_quick tier_standard)  # what ./test runs
+add_custom_target(tests_default DEPENDS tier_quick tier_standard)  # what ./test runs
 
 # mirrorball_test(NAME [COMPUTES] [REPLACES] [TIER tier] SOURCES … DEPENDS … [LABELS …] [SERIAL])
 #
 # A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told),
 # in the tier given (standard unless told); with SERIAL while nothing else runs. A suite all of whose tests skip themselves
 # (no GL driver, no shared data) is counted by CTest as skipped. Its code is an object library, NAME_test_code, which is
-# optimised a little where it COMPUTES. With REPLACES it has functions in the place of a room's.
+# optimised a little where it COMPUTES. With REPLACES its sources define functions of a room once more.
 function(mirrorball_test name)
   cmake_parse_arguments(TEST "COMPUTES;REPLACES;SERIAL" "TIER" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if(NOT TEST_LABELS)
@@ -110,12 +109,15 @@ function(mirrorball_script_test name)
   string(REPLACE "." "\\." pattern "${name}")
   set(own_rows ${mirrorball_rows})
   list(FILTER own_rows INCLUDE REGEX " ${pattern}$")
+  set(cost 0)
   if(own_rows)
-    string(REGEX REPLACE " .*" "" SCRIPT_TIER "${own_rows}")
+    string(REGEX MATCH "^([a-z]+) +([0-9.]+) " matched "${own_rows}")
+    set(SCRIPT_TIER ${CMAKE_MATCH_1})
+    set(cost ${CMAKE_MATCH_2})
   endif()
   add_test(NAME ${name} COMMAND ${mirrorball_measure} ${name} ${SCRIPT_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${SCRIPT_TIER};${SCRIPT_LABELS}" TIMEOUT ${SCRIPT_TIMEOUT}
-                       SKIP_RETURN_CODE 77 ${SCRIPT_PROPERTIES})
+                       SKIP_RETURN_CODE 77 COST ${cost} ${SCRIPT_PROPERTIES})
   foreach(target IN LISTS SCRIPT_TARGETS)
     add_dependencies(tier_${SCRIPT_TIER} ${target})
   endforeach()

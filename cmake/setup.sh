@@ -99,7 +99,7 @@ installMissing() {
     exit 1
   fi
   # CMake finds more now than when it looked before.
-  rm -f "$build/.configured"
+  rm -f "$root"/build/*/.configured
 }
 
 # One build at a time in one folder; the lock ends with this process.
@@ -123,8 +123,9 @@ configureIfNeeded() {
   if [ ! -e "$build/build.ninja" ] || [ ! -e "$build/.configured" ] ||
     [ -n "$(find CMakePresets.json -newer "$build/.configured")" ]; then
     rm -f "$build/.configured"
-    # Without CMake's status lines, among which Debian's Imath has an alarming one that means nothing.
-    cmake --preset "$preset" -DCMAKE_MESSAGE_LOG_LEVEL=NOTICE || return 1
+    # Without CMake's status lines, among which Debian's Imath has an alarming one that means nothing. Anew: where a preset
+    # names another compiler than the cache, CMake would forget all that the preset says besides.
+    cmake --fresh --preset "$preset" -DCMAKE_MESSAGE_LOG_LEVEL=NOTICE || return 1
     : >"$build/.configured"
   fi
 }

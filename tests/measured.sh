@@ -1,13 +1,14 @@
 #!/bin/sh
 # usage: measured.sh FOLDER NAME COMMAND…
 #
-# Runs COMMAND, a suite of tests, and writes the processor time that it took into FOLDER, as a file NAME in which each
-# "/" is a "-": the shell's own lines of `times`. Exit code of COMMAND.
+# Runs COMMAND, and if it succeeds writes the CPU time that it took into FOLDER, as a file NAME in which each "/" is a "-":
+# the shell's own lines of `times`. Ends as COMMAND does, by its exit code or its signal.
 
 folder=$1
 file=$(echo "$2" | tr / -)
 shift 2
 "$@"
 code=$?
-mkdir -p "$folder" && times >"$folder/$file"
+[ $code -le 128 ] || kill -"$((code - 128))" $$
+[ $code -ne 0 ] || { mkdir -p "$folder" && times >"$folder/$file"; }
 exit $code

@@ -1,12 +1,13 @@
 #!/bin/sh
-# usage: suite_times.sh list          prints all suites of suites.txt, the dearest first, and the sums of the tiers
+# usage: suite_times.sh list          prints all suites of suites.txt, the most expensive first, and the sums of the tiers
 #        suite_times.sh record        writes what the last runs took into suites.txt and docs/performance/build.md
-#        suite_times.sh left WHAT     prints what `./test WHAT` left to `./test --all`, and how long that takes here
+#        suite_times.sh left WHAT     prints what `./test WHAT` did not run, and how long that takes here
 #
 # The costs in suites.txt are seconds of the processor in the unit of cost/unit.sh, so that they are much the same on any
 # machine. Those of the last runs are in build/dev/times, a file a suite (measured.sh).
 
 set -eu
+export LC_ALL=C
 cd -P -- "$(dirname -- "$0")/.."
 rows=tests/suites.txt
 page=docs/performance/build.md
@@ -28,10 +29,14 @@ sums() {
 
 # Lines "SUITE SECONDS" of the last runs.
 measured() {
-  for file in "$times"/*; do
-    [ -e "$file" ] || continue
-    echo "$(basename -- "$file" | tr - /) $(sh tests/cost/seconds.sh "$file")"
-  done
+  [ -d "$times" ] || return 0
+  # The second line of the shell's `times`: of all processes that it has waited for (cost/seconds.sh).
+  find "$times" -type f -exec awk 'FNR == 2 {
+      sum = 0
+      for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] }
+      name = FILENAME; sub(/.*\//, "", name); gsub(/-/, "/", name)
+      print name, sum
+    }' {} +
 }
 
 # Lines "TIER SUITE" of all that are built.
@@ -52,12 +57,13 @@ record() {
   { awk "$isRow"' { print "row", $1, $2, $3 }' $rows && known | sed 's/^/known /' && measured | sed 's/^/took /'; } |
     awk -v unit="$unit" '
       $1 == "row" { tier[$4] = $2; cost[$4] = $3 }
-      $1 == "known" { program = $3; sub(/\.[^.]*$/, "", program); built[program] = $3 !~ /\.IsNotBuilt$/
-                      if (built[program]) { now[$3] = $2 } }
+      $1 == "known" { program = $3; sub(/\.[^.]*$/, "", program); built[program] = 1 }
+      $1 == "known" && $3 ~ /\.IsNotBuilt$/ { absent[program] = 1; next }
+      $1 == "known" { now[$3] = $2 }
       $1 == "took" { seconds[$2] = $3 }
       END {
         # A program that is not built keeps its rows; of one that is, the suites that are gone lose theirs.
-        for (suite in tier) { program = suite; sub(/\.[^.]*$/, "", program); if (!built[program]) now[suite] = tier[suite] }
+        for (suite in tier) { program = suite; sub(/\.[^.]*$/, "", program); if (!built[program] || absent[program]) now[suite] = tier[suite] }
         for (suite in now)
           printf "%-9s %8.3f  %s\n", now[suite], suite in seconds ? seconds[suite] / unit : cost[suite] + 0, suite
       }' | sort -k3 >>"$new"
@@ -75,7 +81,7 @@ writeTables() {
     echo "| --- | --: | --: |"
     sums | awk '{ printf "| `%s` | %d | %.1f |\n", $1, $5, $2 }'
     echo
-    echo "| the dearest suites | tier | cost |"
+    echo "| the most expensive suites | tier | cost |"
     echo "| --- | --- | --: |"
     awk "$isRow" $rows | sort -k2,2nr -k3 | head -20 | awk '{ printf "| `%s` | `%s` | %.2f |\n", $3, $1, $2 }'
   } >"$tables"
@@ -88,7 +94,7 @@ writeTables() {
 
 left() {
   case $1 in
-    people) mine="quick standard" ;;
+    default) mine="quick standard" ;;
     module) mine=none ;;
     *) mine=$1 ;;
   esac
@@ -96,13 +102,13 @@ left() {
     awk -v mine=" $mine " -v cores="$(nproc)" '
       $1 == "took" { seconds[$2] = $3 }
       $1 == "row" {
-        if ($4 in seconds) { spent += seconds[$4]; worth += $3 }
-        if (index(mine, " " $2 " ") == 0) { count++; cost += $3 }
+        if ($4 in seconds && $3 > 0) { spent += seconds[$4]; worth += $3 }
+        if (index(mine, " " $2 " ") == 0) { count++; cost += $2 == "long" ? $3 / 10 : $3 }
       }
       END {
         unit = worth > 0 ? spent / worth : 10
-        printf "Left out: %d suites; ./test --all runs them (of the tier long a tenth at a time)", count
-        printf ", which takes some %d minutes here besides their build.\n", cost * unit / cores / 60 + 1
+        printf "Not run: %d suites; ./test --all runs them (a tenth of the tier long)", count
+        printf ", which takes about %d minutes here, besides their build.\n", cost * unit / cores / 60 + 1
       }'
 }
 

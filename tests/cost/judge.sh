@@ -9,6 +9,7 @@
 #   MIRRORBALL_UPDATE_COSTS=1   writes the figure into costs.txt instead
 
 set -u
+export LC_ALL=C
 name=$1
 costs=$(dirname -- "$0")/costs.txt
 tab=$(printf '\t')

@@ -6,6 +6,7 @@
 # source is absent.
 
 set -u
+export LC_ALL=C
 source=/usr/src/googletest/googletest
 [ -e "$source/src/gtest-all.cc" ] || exit 0
 for _ in $(seq "$(nproc)"); do

@@ -117,11 +117,11 @@ clearCaches() {
 # The packages are those of ./test, so that it has none to install, and thus nothing to configure anew, later.
 buildClone() {
   echo "building $clone at $(git -C "$clone" rev-parse --short HEAD)"
-  sh "$clone/cmake/setup.sh" dev:tests_for_people build run test >"$work/logs/build.log" 2>&1 </dev/null ||
+  sh "$clone/cmake/setup.sh" dev:tests_default build run test >"$work/logs/build.log" 2>&1 </dev/null ||
     fail "the clone does not build without a mutation; see $work/logs/build.log"
   # What the programs are made of: a file of another system, or of a part that is left out, cannot be tested here.
   {
-    ninja -C "$build" -t inputs tests_for_people
+    ninja -C "$build" -t inputs tests_default
     ninja -C "$build" -t deps
   } 2>/dev/null | sed -n "s|^ *$clone/||p" | grep -v '^build/' | sort -u >"$work/sources.txt"
 }
@@ -173,7 +173,7 @@ applyMutation() {
 # that it has made, and these may fail or never end.
 buildMutation() {
   local log=$work/logs/$1
-  timeout --foreground 3600 ninja -C "$build" -j "$(nproc)" tests_for_people >"$log" 2>&1 </dev/null && return
+  timeout --foreground 3600 ninja -C "$build" -j "$(nproc)" tests_default >"$log" 2>&1 </dev/null && return
   if grep -qE '^[^ ]+:[0-9]+:[0-9]+: (fatal )?error: |clang[^ ]*: error: |undefined reference' "$log"; then
     result="does not compile"
     by=none

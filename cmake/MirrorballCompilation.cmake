@@ -10,7 +10,7 @@
 #   COMPUTING_TEST  -O1     -O1   tests that compute what they compare with, texel by texel
 #
 # In Dev, the tests' build, the optimiser works where that was measured to pay (docs/performance/build.md). For browsers
-# -O0 is -O1.
+# all rooms have -O2, and all tests -O1.
 #
 # What most files include of the standard library and of GLM takes longer to read than the files themselves, so it is
 # compiled once for each kind: a compiler refuses a header that was compiled with another -O. Only headers from outside
@@ -28,11 +28,14 @@ set(mirrorball_options_plain $<$<CONFIG:Dev>:-O0>)
 set(mirrorball_options_test $<$<NOT:$<CONFIG:Debug>>:-O0>)
 set(mirrorball_options_computing_test $<$<NOT:$<CONFIG:Debug>>:-O1>)
 if(EMSCRIPTEN)
-  # Its code that is not optimised takes longer to run than it saves.
-  set(mirrorball_options_plain "")
-  set(mirrorball_options_test "")
-endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  # Emscripten 3.1.6 compiles texel densities wrongly where some of the code is not optimised: they were infinite.
+  foreach(kind computing reading plain)
+    set(mirrorball_options_${kind} -O2)
+  endforeach()
+  foreach(kind test computing_test)
+    set(mirrorball_options_${kind} -O1)
+  endforeach()
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   # What the header's templates make is compiled with the header, not again in each file that includes it.
   add_compile_options(-fpch-instantiate-templates)
 endif()

@@ -28,12 +28,13 @@ set(mirrorball_options_plain $<$<CONFIG:Dev>:-O0>)
 set(mirrorball_options_test $<$<NOT:$<CONFIG:Debug>>:-O0>)
 set(mirrorball_options_computing_test $<$<NOT:$<CONFIG:Debug>>:-O1>)
 if(EMSCRIPTEN)
-  # Emscripten 3.1.6 compiles texel densities wrongly where some of the code is not optimised: they were infinite.
+  # Emscripten 3.1.6's compiler gathers neighbouring floats into vectors wrongly: the texel densities of environment were
+  # infinite, and directions on a ball did not come back. To Clang an -O after -fno-slp-vectorize takes that back.
   foreach(kind computing reading plain)
-    set(mirrorball_options_${kind} -O2)
+    set(mirrorball_options_${kind} -O2 -fno-slp-vectorize)
   endforeach()
   foreach(kind test computing_test)
-    set(mirrorball_options_${kind} -O1)
+    set(mirrorball_options_${kind} -O1 -fno-slp-vectorize)
   endforeach()
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   # What the header's templates make is compiled with the header, not again in each file that includes it.

@@ -62,9 +62,6 @@ endif()
 if(EMSCRIPTEN)
   # Vectors of 128 bits, which all browsers have; exceptions, as the standard library and its callers expect them.
   add_compile_options(-msimd128 -fexceptions)
-  # Emscripten 3.1.6's compiler gathers neighbouring floats into vectors wrongly: the texel densities of environment were
-  # infinite, and directions on a ball did not come back.
-  add_compile_options(-fno-slp-vectorize)
   # Programs, which are the tests, see the files of the machine and wait for their own module to be compiled: where node
   # has a fetch, Emscripten 3.1.6 would ask that for it, which knows no files. Above -O1 their JavaScript is made smaller,
   # by a library that only Debian's own node finds.

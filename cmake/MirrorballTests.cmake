@@ -11,6 +11,15 @@ foreach(tier quick standard all sanitized browser long)
 endforeach()
 add_custom_target(tests_default DEPENDS tier_quick tier_standard)  # what ./test runs
 
+# mirrorball_default(VARIABLE VALUE)
+#
+# Gives the variable this value where it has none.
+macro(mirrorball_default variable value)
+  if(NOT ${variable})
+    set(${variable} ${value})
+  endif()
+endmacro()
+
 # mirrorball_test(NAME [COMPUTES] [REPLACES] [TIER tier] SOURCES … DEPENDS … [LABELS …] [SERIAL])
 #
 # A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told),
@@ -19,12 +28,8 @@ add_custom_target(tests_default DEPENDS tier_quick tier_standard)  # what ./test
 # optimised a little where it COMPUTES. With REPLACES its sources define functions of a room once more.
 function(mirrorball_test name)
   cmake_parse_arguments(TEST "COMPUTES;REPLACES;SERIAL" "TIER" "SOURCES;DEPENDS;LABELS" ${ARGN})
-  if(NOT TEST_LABELS)
-    set(TEST_LABELS unit)
-  endif()
-  if(NOT TEST_TIER)
-    set(TEST_TIER standard)
-  endif()
+  mirrorball_default(TEST_LABELS unit)
+  mirrorball_default(TEST_TIER standard)
   if(EMSCRIPTEN AND NOT TEST_TIER STREQUAL long)
     set(TEST_TIER browser)
   endif()
@@ -100,12 +105,8 @@ endfunction()
 # unless told). TARGETS are what must be built before; exit code 77 is a skipped test.
 function(mirrorball_script_test name)
   cmake_parse_arguments(SCRIPT "" "TIER;TIMEOUT" "LABELS;TARGETS;PROPERTIES;COMMAND" ${ARGN})
-  if(NOT SCRIPT_TIER)
-    set(SCRIPT_TIER standard)
-  endif()
-  if(NOT SCRIPT_TIMEOUT)
-    set(SCRIPT_TIMEOUT 300)
-  endif()
+  mirrorball_default(SCRIPT_TIER standard)
+  mirrorball_default(SCRIPT_TIMEOUT 300)
   string(REPLACE "." "\\." pattern "${name}")
   set(own_rows ${mirrorball_rows})
   list(FILTER own_rows INCLUDE REGEX " ${pattern}$")

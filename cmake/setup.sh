@@ -99,7 +99,7 @@ installMissing() {
     exit 1
   fi
   # CMake finds more now than when it looked before.
-  rm -f "$root"/build/*/.configured
+  rm -f "$root"/build/*/build.ninja
 }
 
 # One build at a time in one folder; the lock ends with this process.
@@ -120,12 +120,17 @@ configureIfNeeded() {
     rm -f "$build/.configured" "$build/CMakeCache.txt"
   fi
   # Ninja runs CMake again by itself where a CMakeLists.txt has changed, but does not read the presets again.
-  if [ ! -e "$build/build.ninja" ] || [ ! -e "$build/.configured" ] ||
-    [ -n "$(find CMakePresets.json -newer "$build/.configured")" ]; then
+  # Where a changed preset names another compiler than the cache, CMake would forget all that it says besides. A fresh
+  # configuration compiles everything again, so otherwise the cache is kept.
+  fresh=
+  if [ -e "$build/.configured" ] && [ -n "$(find CMakePresets.json -newer "$build/.configured")" ]; then
+    fresh=--fresh
+  fi
+  if [ -n "$fresh" ] || [ ! -e "$build/build.ninja" ] || [ ! -e "$build/.configured" ]; then
     rm -f "$build/.configured"
-    # Without CMake's status lines, among which Debian's Imath has an alarming one that means nothing. Anew: where a preset
-    # names another compiler than the cache, CMake would forget all that the preset says besides.
-    cmake --fresh --preset "$preset" -DCMAKE_MESSAGE_LOG_LEVEL=NOTICE || return 1
+    # Without CMake's status lines, among which Debian's Imath has an alarming one that means nothing.
+    # shellcheck disable=SC2086  # nothing, or one word
+    cmake $fresh --preset "$preset" -DCMAKE_MESSAGE_LOG_LEVEL=NOTICE || return 1
     : >"$build/.configured"
   fi
 }

@@ -30,13 +30,8 @@ sums() {
 # Lines "SUITE SECONDS" of the last runs.
 measured() {
   [ -d "$times" ] || return 0
-  # The second line of the shell's `times`: of all processes that it has waited for (cost/seconds.sh).
-  find "$times" -type f -exec awk 'FNR == 2 {
-      sum = 0
-      for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] }
-      name = FILENAME; sub(/.*\//, "", name); gsub(/-/, "/", name)
-      print name, sum
-    }' {} +
+  find "$times" -type f -exec sh tests/cost/seconds.sh {} + |
+    awk '{ seconds = $1; sub(/^[^ ]+ .*\//, ""); gsub(/-/, "/"); print $0, seconds }'
 }
 
 # Lines "TIER SUITE" of all that are built.

@@ -7,9 +7,9 @@
 #
 # PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. A suite's tier is one of its labels: that
-# of its row in ROWS (tests/suites.txt), else TIER. Those of the highest cost begin, so that all cores have work to the
-# end; with SERIAL nothing runs beside them. MEASURE is a list of words that comes before the suite's name and its command
-# (tests/measured.sh).
+# of its row in the file ROWS (the program's rows of tests/suites.txt), else TIER. The most expensive suites start first,
+# so that all cores are busy to the end; with SERIAL nothing runs beside them. MEASURE is a list of words that comes
+# before the suite's name and its command (tests/measured.sh).
 cmake_minimum_required(VERSION 3.25)
 
 list(JOIN EXCEPT ":" except)
@@ -29,10 +29,9 @@ if(NOT suites)
   message(FATAL_ERROR "${PROGRAM} lists no tests")
 endif()
 
-string(REPLACE "." "\\." pattern "${NAME}")
-file(STRINGS "${ROWS}" rows REGEX "^[a-z]+ +[0-9.]+ +${pattern}\\.[^. ]+$")
+file(STRINGS "${ROWS}" rows)
 foreach(row IN LISTS rows)
-  string(REGEX MATCH "^([a-z]+) +([0-9.]+) +${pattern}\\.(.+)$" matched "${row}")
+  string(REGEX MATCH "^([a-z]+) +([0-9.]+) .*\\.(.+)$" matched "${row}")
   set(tier_of_${CMAKE_MATCH_3} ${CMAKE_MATCH_1})
   set(cost_of_${CMAKE_MATCH_3} ${CMAKE_MATCH_2})
 endforeach()

@@ -90,8 +90,7 @@ writeTables() {
 left() {
   case $1 in
     default) mine="quick standard" ;;
-    module) mine=none ;;
-    *) mine=$1 ;;
+    quick) mine=quick ;;
   esac
   { measured | sed 's/^/took /' && awk "$isRow"' { print "row", $1, $2, $3 }' $rows; } |
     awk -v mine=" $mine " -v cores="$(nproc)" '

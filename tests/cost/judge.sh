@@ -13,7 +13,7 @@ export LC_ALL=C
 name=$1
 costs=$(dirname -- "$0")/costs.txt
 tab=$(printf '\t')
-# The unit does not cancel all that tells processors apart: a driver that draws by wider vectors draws faster.
+# The unit does not cancel every difference between processors: a driver that uses wider vectors draws faster.
 machine=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
 if grep -qw avx512f /proc/cpuinfo; then machine="$machine, AVX-512"; fi
 if [ -z "$3" ] || [ -z "$4" ]; then

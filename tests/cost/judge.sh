@@ -35,7 +35,7 @@ if [ -z "$recorded" ]; then
 fi
 verdict=$(awk -v cost="$cost" -v recorded="$recorded" -v before="$3" -v after="$4" 'BEGIN {
     ratio = before > after ? before / after : after / before
-    print ratio > 1.1 ? "unsteady" : cost > 1.3 * recorded ? "failed" : cost > 1.15 * recorded ? "warned" : "passed"
+    print (ratio > 1.1 ? "unsteady" : cost > 1.3 * recorded ? "failed" : cost > 1.15 * recorded ? "warned" : "passed")
   }')
 case $verdict in
   passed) echo "$said; costs.txt says $recorded" ;;

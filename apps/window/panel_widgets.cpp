@@ -167,7 +167,7 @@ void drawDot(ImDrawList& list, glm::vec2 place, glm::vec3 color) {
   list.AddCircle(placeOf(place), radius + 1.0f, colorOf(glm::vec3(0.0f)));
 }
 
-void drawPlot(const Plot& plot) {
+void drawPlot(const DrawnPlot& plot) {
   const float height = 100.0f * drawnScale();
   ImGui::TextWrapped("%s", plot.title.c_str());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -214,7 +214,7 @@ void drawUnderPointer(const UnderPointer& under) {
   if (under.rows.empty() && under.maps.empty()) return;
   if (!ImGui::CollapsingHeader("Under the pointer", ImGuiTreeNodeFlags_DefaultOpen)) return;
   for (const MarkedPicture& picture : under.maps) drawMarkedPicture(picture);
-  for (const Plot& plot : under.plots) drawPlot(plot);
+  for (const DrawnPlot& plot : under.plots) drawPlot(plot);
   if (!ImGui::BeginTable("rows", 2, ImGuiTableFlags_SizingStretchProp)) return;
   for (const InspectionRow& row : under.rows) {
     ImGui::TableNextColumn();

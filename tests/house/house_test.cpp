@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
@@ -284,6 +285,39 @@ Complaints checkPragmaOnce(const SourceFile& file) {
   return {file.path + ": no #pragma once"};
 }
 
+/// The types that a file defines for other files to see, with their namespaces. The layout that .clang-format describes
+/// makes a namespace's first and last line, and a type's first, known by their beginnings.
+std::set<std::string> visibleTypesOf(const std::string& text) {
+  const std::regex opening(R"(^(?:inline )?namespace ?([\w:]*) ?\{$)");
+  const std::regex type(R"(^(?:template <.*> )?(?:struct|class|enum class|union) ([\w:]+)(?: final)?(?: : .*)? \{)");
+  std::vector<std::string> scopes;
+  std::set<std::string> types;
+  forEachLine(text, [&](int, const std::string& line) {
+    std::smatch match;
+    if (std::regex_search(line, match, opening)) scopes.push_back(match[1]);
+    if (startsWith(line, "}  // namespace") && !scopes.empty()) scopes.pop_back();
+    if (!std::regex_search(line, match, type) || std::ranges::count(scopes, "") > 0) return;
+    std::string name;
+    for (const std::string& scope : scopes) name += scope + "::";
+    types.insert(name + match[1].str());
+  });
+  return types;
+}
+
+/// Of two types with one name the linker keeps either one's functions for both, and says nothing.
+Complaints checkTypesAreDefinedOnce(const std::vector<SourceFile>& files) {
+  std::map<std::string, std::string> places;
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!isOneOf(fs::path(file.path).extension().string(), {".h", ".cpp"})) continue;
+    for (const std::string& type : visibleTypesOf(file.text)) {
+      const auto [first, is_new] = places.emplace(type, file.path);
+      if (!is_new) complaints.push_back(type + " is defined in " + first->second + " and in " + file.path);
+    }
+  }
+  return complaints;
+}
+
 Complaints checkTree(Complaints (*check)(const SourceFile&)) {
   Complaints all;
   for (const SourceFile& file : readTree()) {
@@ -417,6 +451,16 @@ TEST(House, NothingIsLeftForLater) {
               SizeIs(1));
   EXPECT_THAT(checkLeftovers({"src/x.cpp", "#  if 0\n"}), SizeIs(1));
   EXPECT_THAT(checkTree(checkLeftovers), IsEmpty());
+}
+
+TEST(House, TypesAreDefinedOnce) {
+  const std::string type = "namespace a {\nstruct B final : C {\n};\n}  // namespace a\n";
+  EXPECT_THAT(visibleTypesOf(type), ElementsAre("a::B"));
+  EXPECT_THAT(visibleTypesOf("namespace a {\nnamespace {\n" + type + "}  // namespace\nclass D;\nstruct E::F {\n};\n"),
+              ElementsAre("a::E::F"));
+  EXPECT_THAT(checkTypesAreDefinedOnce({{"b.h", type}, {"c.h", type}}), SizeIs(1));
+  EXPECT_THAT(checkTypesAreDefinedOnce({{"b.h", type}, {"c.h", "struct B {\n};\n"}}), IsEmpty());
+  EXPECT_THAT(checkTypesAreDefinedOnce(readTree()), IsEmpty());
 }
 
 TEST(House, HeadersHavePragmaOnce) {

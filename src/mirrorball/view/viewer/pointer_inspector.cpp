@@ -50,11 +50,11 @@ void addLines(const RayPath& path, glm::vec3 color, const Camera& camera, glm::i
   for (const ScreenLine& line : projected(path, camera, size_px)) drawn.lines.push_back({{line.from, line.to}, color});
 }
 
-Plot plotOf(const FresnelCurve& curve) {
+DrawnPlot plotOf(const FresnelCurve& curve) {
   const auto placed = [](float angle_deg, float reflectance) {
     return glm::vec2(angle_deg / 90.0f, 1.0f - reflectance);
   };
-  Plot plot{.title = "Fresnel: what is reflected, from 0 to 90 degrees"};
+  DrawnPlot plot{.title = "Fresnel: what is reflected, from 0 to 90 degrees"};
   for (int channel = 0; channel < 3; ++channel) {
     DrawnLine& line = plot.lines.emplace_back();
     line.color = glm::vec3(0.35f);

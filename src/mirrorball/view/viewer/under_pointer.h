@@ -19,7 +19,7 @@ struct DrawnLine {
 };
 
 /// A curve or several, in a square from (0, 0) at the top left to (1, 1).
-struct Plot {
+struct DrawnPlot {
   std::string title;
   std::vector<DrawnLine> lines = {};
   std::optional<glm::vec2> dot = {};
@@ -44,7 +44,7 @@ struct UnderPointer {
   std::vector<InspectionRow> rows = {};
   std::vector<DrawnLine> lines = {};  ///< over the picture, in its pixels
   std::vector<DrawnText> texts = {};
-  std::vector<Plot> plots = {};
+  std::vector<DrawnPlot> plots = {};
   std::vector<MarkedPicture> maps = {};
 };
 

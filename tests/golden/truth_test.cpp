@@ -1,10 +1,15 @@
 // A golden picture is only yesterday's. So what the renderer draws of each case is compared with what the path tracer
-// says too, where light does no more than an environment map can know of. Nothing of this is stored: both pictures are
-// made.
+// says too, where light does no more than an environment map can know of. The traced pictures are kept
+// (tests/golden/truths); after a change of what they depend on one command traces them anew:
+//
+//     MIRRORBALL_UPDATE_TRUTHS=1 ./test --module golden
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <future>
 #include <iterator>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +19,8 @@
 #include <gtest/gtest.h>
 
 #include "golden/cases.h"
+#include "golden/golden_picture.h"
+#include "golden/kept_truth.h"
 #include "golden/made_picture.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/gl/gl_testing.h"
@@ -50,11 +57,14 @@ TEST_P(GoldenTruth, IsAsNearAsItIsSaidToBeAndAMistakeIsNot) {
                                tracedCommandOf(golden_case) + "\nwhy there is a distance: " + truth.reason;
   SCOPED_TRACE(commands);
   const bool tries_mistake = !std::string_view(truth.mistake).empty();
-  std::future<Result<Image>> tracing = making(tracedCommandOf(golden_case));
+  if (isUpdatingTruths()) {
+    const Result<void> kept = keepTruth(golden_case);
+    ASSERT_TRUE(kept) << kept.error().message;
+  }
   std::future<Result<Image>> erring;
   if (tries_mistake) erring = making(drawnCommandOf(golden_case, truth.mistake));
   const Result<Image> drawn = imageMadeBy(drawnCommandOf(golden_case));
-  const Result<Image> traced = tracing.get();
+  const Result<Image> traced = keptTruth(golden_case.name);
   ASSERT_TRUE(drawn) << drawn.error().message;
   ASSERT_TRUE(traced) << traced.error().message;
   EXPECT_GE(psnrOf_db(*drawn, *traced), truth.psnr_db) << "the drawn picture is farther from the truth";
@@ -71,6 +81,39 @@ TEST(GoldenTruths, AreStatedForWhatIsDrawn) {
   for (const Case& golden_case : cases())
     EXPECT_EQ(golden_case.truth.has_value(), needsGl(golden_case) && !wrapsPicture(golden_case)) << golden_case.name;
 }
+
+TEST(GoldenTruths, AreTracedFromTheSourcesThatThereAre) {
+  if (isUpdatingTruths() || isUpdating()) GTEST_SKIP() << "the truths, or what they are made of, are being made";
+  for (const Case& golden_case : casesWithTruth())
+    EXPECT_EQ(keptHash(golden_case.name), truthHash(golden_case))
+        << golden_case.name
+        << ": what its truth is traced from has changed since; to trace all anew: " << kUpdateTruths;
+}
+
+TEST(GoldenTruths, BelongToACaseAndAreSmall) {
+  if (isUpdatingTruths()) GTEST_SKIP() << "the truths are being traced";
+  std::set<std::string> wanted = {"hashes.txt"};
+  for (const Case& golden_case : casesWithTruth()) wanted.insert(truthPath(golden_case.name).filename());
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(truthPath("any").parent_path())) {
+    EXPECT_TRUE(wanted.contains(entry.path().filename())) << entry.path() << " belongs to no case";
+    bytes += entry.file_size();
+  }
+  EXPECT_LE(bytes, 750'000u) << "every clone carries these pictures, and every version of them";
+}
+
+class GoldenTracing : public ::testing::TestWithParam<Case> {};
+
+// Another processor may round a ray to the other side of an edge.
+TEST_P(GoldenTracing, IsStillTheKeptTruth) {
+  const Case& golden_case = GetParam();
+  const Result<Image> kept = keptTruth(golden_case.name);
+  const Result<Image> now = imageMadeBy(tracedCommandOf(golden_case));
+  ASSERT_TRUE(kept) << kept.error().message;
+  ASSERT_TRUE(now) << now.error().message;
+  EXPECT_GE(psnrOf_db(*now, *kept), 50.0) << "mirrorball " << tracedCommandOf(golden_case);
+}
+INSTANTIATE_TEST_SUITE_P(Program, GoldenTracing, ::testing::ValuesIn(casesWithTruth()), caseName);
 
 }  // namespace
 }  // namespace mirrorball::golden

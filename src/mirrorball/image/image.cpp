@@ -75,6 +75,12 @@ Image rgbOf(const Image& image) {
   return light;
 }
 
+float largestSample(const Image& image) {
+  float largest = 0.0f;
+  for (const float sample : image.samples()) largest = std::max(largest, sample);
+  return largest;
+}
+
 NonFinite findNonFinite(const Image& image) {
   // Nearly all images have none, which is quickly seen on all cores.
   constexpr std::size_t kSamplesPerPiece = std::size_t{1} << 18;

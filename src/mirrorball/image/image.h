@@ -85,6 +85,9 @@ glm::vec4 rgbaAt(const Image& image, int x, int y);
 /// The light of an image alone: a grey one's channel three times, alpha left out.
 Image rgbOf(const Image& image);
 
+/// The largest sample of all channels, and at least 0; NaN is none.
+float largestSample(const Image& image);
+
 /// How many samples are NaN or infinite, and the first texel that has one.
 struct NonFinite {
   std::size_t count = 0;  ///< texels, not samples

@@ -39,6 +39,16 @@ TEST(Image, LightAloneHasThreeChannels) {
   EXPECT_EQ(rgbAt(rgbOf(covered), 1, 0), glm::vec3(0.25f));
 }
 
+TEST(Image, LargestSampleIsOfAllChannelsAndNoNaN) {
+  Image image(2, 1, 3, -1.0f);
+  EXPECT_EQ(largestSample(image), 0.0f);
+  image.texel(0, 0)[2] = 7.0f;
+  image.texel(1, 0)[0] = kNotANumber;
+  EXPECT_EQ(largestSample(image), 7.0f);
+  image.texel(1, 0)[1] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(largestSample(image), std::numeric_limits<float>::infinity());
+}
+
 TEST(NonFinite, IsCountedByTexelWithTheFirstNamed) {
   Image image(3, 2, 3, 1.0f);
   EXPECT_EQ(findNonFinite(image).count, 0u);

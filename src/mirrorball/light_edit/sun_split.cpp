@@ -35,8 +35,7 @@ bool isBrightEnough(const EnvironmentMap& map, glm::vec3 all) {
   const float widest_rad = 2.0f * glm::radians(kLamps.max_size_deg);  // the mean size of one that fades is smaller
   const float widest_sr = glm::pi<float>() * widest_rad * widest_rad / 4.0f;
   float brightest = 0.0f;
-  for (int face = 0; face < map.faces(); ++face)
-    for (const float sample : map.face(face).samples()) brightest = std::max(brightest, sample);
+  for (int face = 0; face < map.faces(); ++face) brightest = std::max(brightest, largestSample(map.face(face)));
   return brightest * widest_sr > kStrong * formula::luminance(all);
 }
 

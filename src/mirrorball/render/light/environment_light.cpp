@@ -19,11 +19,11 @@
 namespace mirrorball {
 namespace {
 
-float maxSample(const ImageSet& chain) {
-  float max = 0.0f;
-  for (int face = 0; face < 6; ++face)
-    for (const float sample : chain.at(0, face).samples()) max = std::max(max, sample);
-  return max;
+/// Of all faces of the first level.
+float brightestSample(const ImageSet& chain) {
+  float brightest = 0.0f;
+  for (int face = 0; face < 6; ++face) brightest = std::max(brightest, largestSample(chain.at(0, face)));
+  return brightest;
 }
 
 /// Of the chain's level 0, where the environment has that much detail. The first blurred level has half of it; on 256²
@@ -101,7 +101,7 @@ Result<PreparedEnvironment> withCubes(const Environment& environment, const std:
     MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
     prepared.chain = mipChain(std::move(cube));
   }
-  prepared.needs_floats = maxSample(prepared.chain) > gl::kLargestHalf;
+  prepared.needs_floats = brightestSample(prepared.chain) > gl::kLargestHalf;
   MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache, progress)
                                 : prefiltered(environment, prefilteredSide(environment), progress));
   prepared.prefiltered = std::move(blurred.chain);
@@ -126,7 +126,7 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   const gl::Format format = are_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
   // A power of two: nothing is rounded but what becomes too small for a half.
   const float unit = prepared.needs_floats && !are_floats
-                         ? std::exp2(std::ceil(std::log2(maxSample(prepared.chain) / gl::kLargestHalf)))
+                         ? std::exp2(std::ceil(std::log2(brightestSample(prepared.chain) / gl::kLargestHalf)))
                          : 1.0f;
   MIRRORBALL_TRY(cube, cubeTexture(format, prepared.chain, unit));
   MIRRORBALL_TRY(prefiltered, cubeTexture(format, prepared.prefiltered, unit));

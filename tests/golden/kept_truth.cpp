@@ -1,0 +1,117 @@
+#include "golden/kept_truth.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "golden/made_picture.h"
+#include "mirrorball/base/content_hash.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/image_file.h"
+
+namespace mirrorball::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path sourcePath(std::string_view relative) { return fs::path(MIRRORBALL_SOURCE_DIR) / relative; }
+
+fs::path hashesPath() { return sourcePath("tests/golden/truths/hashes.txt"); }
+
+bool isSource(const fs::path& path) {
+  const std::string name = path.filename();
+  if (name.ends_with("_test.cpp") || name.find("_testing.") != std::string::npos) return false;
+  return name.ends_with(".cpp") || name.ends_with(".h") || name.ends_with(".inc") || name.ends_with(".glsl");
+}
+
+/// In the order of their names, so that the hash is the same on every file system.
+std::set<fs::path> filesBelow(const fs::path& folder) {
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.insert(entry.path());
+  return files;
+}
+
+void addText(ContentHash& hash, std::string_view text) { hash.addAll(std::span(text.data(), text.size())); }
+
+/// Without the lines that are comments, and without indentation.
+void addSource(ContentHash& hash, const fs::path& path) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos || line.compare(begin, 2, "//") == 0) continue;
+    addText(hash, std::string_view(line).substr(begin));
+    addText(hash, "\n");
+  }
+}
+
+std::string hashOfSources() {
+  ContentHash hash;
+  for (const std::string_view folder :
+       {"formula", "src/mirrorball/bake/brdf", "src/mirrorball/environment", "src/mirrorball/height_field",
+        "src/mirrorball/rays", "src/mirrorball/scene", "src/mirrorball/trace"})
+    for (const fs::path& path : filesBelow(sourcePath(folder)))
+      if (isSource(path)) addSource(hash, path);
+  return hash.digits();
+}
+
+/// Those that commands of cases read.
+std::string hashOfPictures() {
+  ContentHash hash;
+  for (const char* const name : {"pictures/slopes.png", "pictures/facets.png"}) {
+    std::ifstream file(sourcePath("tests/golden") / name, std::ios::binary);
+    addText(hash, std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+  std::ifstream heights(sourcePath("docs/heights/brick.png"), std::ios::binary);
+  addText(hash, std::string(std::istreambuf_iterator<char>(heights), {}));
+  return hash.digits();
+}
+
+std::map<std::string, std::string> readHashes() {
+  std::map<std::string, std::string> hashes;
+  std::ifstream file(hashesPath());
+  for (std::string name, hash; file >> name >> hash;) hashes[name] = hash;
+  return hashes;
+}
+
+}  // namespace
+
+bool isUpdatingTruths() {
+  const char* const value = std::getenv("MIRRORBALL_UPDATE_TRUTHS");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+fs::path truthPath(const std::string& name) { return sourcePath("tests/golden/truths") / (name + ".png"); }
+
+std::string truthHash(const Case& golden_case) {
+  static const std::string of_files = hashOfSources() + hashOfPictures();
+  ContentHash hash;
+  addText(hash, of_files);
+  addText(hash, tracedCommandOf(golden_case));
+  return hash.digits();
+}
+
+std::string keptHash(const std::string& name) { return readHashes()[name]; }
+
+Result<void> keepTruth(const Case& golden_case) {
+  MIRRORBALL_TRY(picture, pictureMadeBy(tracedCommandOf(golden_case)));
+  MIRRORBALL_TRY_VOID(writeFile(truthPath(golden_case.name), picture));
+  std::map<std::string, std::string> hashes = readHashes();
+  hashes[golden_case.name] = truthHash(golden_case);
+  std::ostringstream text;
+  for (const auto& [name, hash] : hashes) text << name << ' ' << hash << '\n';
+  const std::string rows = text.str();
+  return writeFile(hashesPath(), bytesOf(std::span<const char>(rows)));
+}
+
+Result<Image> keptTruth(const std::string& name) {
+  MIRRORBALL_TRY(file, readFile(truthPath(name)));
+  MIRRORBALL_TRY(decoded, decodeImage(file));
+  return std::move(decoded.image);
+}
+
+}  // namespace mirrorball::golden

@@ -22,9 +22,9 @@ inline constexpr std::string_view kUpdateTruths = "MIRRORBALL_UPDATE_TRUTHS=1 ./
 /// tests/golden/truths/NAME.png
 std::filesystem::path truthPath(const std::string& name);
 
-/// Of what the traced picture of a case depends on: the command that traces it; the heights and the golden pictures that
-/// it may read; the sources of formulas, environments, scenes, rays and the path tracer, without their comments and
-/// layout. In ContentHash's digits.
+/// Of what the traced picture of a case depends on: the command that traces it; the heights and the golden pictures
+/// that it may read; the sources of formulas, environments, scenes, rays and the path tracer, without their comments
+/// and layout. In ContentHash's digits.
 ///
 /// cost     of the first call: reading 3 MB
 std::string truthHash(const Case& golden_case);

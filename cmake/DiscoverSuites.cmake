@@ -1,5 +1,5 @@
-# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DTIER=… -DSERIAL=… -DROWS=… -DMEASURE=… -DOUTPUT=…
-#       -P DiscoverSuites.cmake
+# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DTIER=… -DSERIAL=… -DROWS=… -DMEASURE=…
+#       -DUNCHANGED=… -DPROGRAMS=… -DALWAYS=… -DOUTPUT=… -P DiscoverSuites.cmake
 #
 # Writes the file from which CTest learns the suites of a GoogleTest program: each is one test, NAME.Suite, in a process of
 # its own. Suites and not single tests, since a process of its own costs more than most tests do (a GL driver is started,
@@ -9,7 +9,8 @@
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. A suite's tier is one of its labels: that
 # of its row in the file ROWS (the program's rows of tests/suites.txt), else TIER. The most expensive suites start first,
 # so that all cores are busy to the end; with SERIAL nothing runs beside them. MEASURE is a list of words that comes
-# before the suite's name and its command (tests/measured.sh).
+# before the suite's name and its command (tests/measured.sh), and UNCHANGED another, which comes before a suite that
+# depends on PROGRAMS, and is not one of the list ALWAYS (tests/unchanged.sh).
 cmake_minimum_required(VERSION 3.25)
 
 list(JOIN EXCEPT ":" except)
@@ -20,6 +21,8 @@ function(quote_words words result)
 endfunction()
 quote_words("${PROGRAM}" program)
 quote_words("${MEASURE}" measure)
+quote_words("${UNCHANGED}" unchanged)
+quote_words("${PROGRAMS}" programs)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests "--gtest_filter=*-${except}"
   OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 
@@ -45,6 +48,10 @@ foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   set(test "[==[${NAME}.${suite}]==]")
+  set(command "${measure} ${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==]")
+  if(PROGRAMS AND NOT suite IN_LIST ALWAYS)
+    set(command "${unchanged} ${test} ${programs} -- ${command}")
+  endif()
   set(tier ${TIER})
   set(cost 0)
   if(DEFINED tier_of_${suite})
@@ -52,7 +59,7 @@ foreach(suite IN LISTS suites)
     set(cost ${cost_of_${suite}})
   endif()
   string(APPEND tests
-    "add_test(${test} ${measure} ${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
+    "add_test(${test} ${command})\n"
     "set_tests_properties(${test} PROPERTIES LABELS [==[${tier};${LABELS}]==] COST ${cost} ${properties})\n")
 endforeach()
 file(WRITE "${OUTPUT}" "${tests}")

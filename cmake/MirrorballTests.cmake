@@ -4,6 +4,7 @@
 # The tier is one of the suite's labels for CTest, and the target tier_NAME builds the programs that have suites in it.
 set(mirrorball_suite_rows "${PROJECT_SOURCE_DIR}/tests/suites.txt")
 set(mirrorball_measure sh "${PROJECT_SOURCE_DIR}/tests/measured.sh" "${PROJECT_BINARY_DIR}/times")
+set(mirrorball_unchanged sh "${PROJECT_SOURCE_DIR}/tests/unchanged.sh" run "${PROJECT_BINARY_DIR}")
 file(STRINGS "${mirrorball_suite_rows}" mirrorball_rows REGEX "^[a-z]+ +[0-9.]+ +[^ ]+$")
 set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${mirrorball_suite_rows}")
 foreach(tier quick standard all sanitized browser long)
@@ -20,14 +21,17 @@ macro(mirrorball_default variable value)
   endif()
 endmacro()
 
-# mirrorball_test(NAME [COMPUTES] [REPLACES] [TIER tier] SOURCES … DEPENDS … [LABELS …] [SERIAL])
+# mirrorball_test(NAME [COMPUTES] [REPLACES] [TIER tier] SOURCES … DEPENDS … [STARTS …] [ALWAYS …] [LABELS …] [SERIAL])
 #
 # A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told),
 # in the tier given (standard unless told); with SERIAL while nothing else runs. A suite all of whose tests skip themselves
 # (no GL driver, no shared data) is counted by CTest as skipped. Its code is an object library, NAME_test_code, which is
 # optimised a little where it COMPUTES. With REPLACES its sources define functions of a room once more.
+#
+# STARTS are the targets of programs that its tests start. Where neither it nor they have changed since a suite passed,
+# ./test leaves that out (tests/unchanged.sh), except ALWAYS, which are suites that read the sources.
 function(mirrorball_test name)
-  cmake_parse_arguments(TEST "COMPUTES;REPLACES;SERIAL" "TIER" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "COMPUTES;REPLACES;SERIAL" "TIER" "SOURCES;DEPENDS;STARTS;ALWAYS;LABELS" ${ARGN})
   mirrorball_default(TEST_LABELS unit)
   mirrorball_default(TEST_TIER standard)
   if(EMSCRIPTEN AND NOT TEST_TIER STREQUAL long)
@@ -49,15 +53,23 @@ function(mirrorball_test name)
   endif()
   add_executable(${name}_test ${optimised} $<TARGET_OBJECTS:mirrorball_test_main>)
   target_link_libraries(${name}_test PRIVATE ${name}_test_code)
-  mirrorball_discover_suites(${name}_test ${name} TIER ${TEST_TIER} LABELS ${TEST_LABELS} SERIAL ${TEST_SERIAL})
+  set(programs ${name}_test)
+  foreach(target IN LISTS TEST_STARTS)
+    add_dependencies(${name}_test ${target})
+    list(APPEND programs $<TARGET_FILE_NAME:${target}>)
+  endforeach()
+  mirrorball_discover_suites(${name}_test ${name} TIER ${TEST_TIER} LABELS ${TEST_LABELS} SERIAL ${TEST_SERIAL}
+                             PROGRAMS ${programs} ALWAYS ${TEST_ALWAYS})
 endfunction()
 
-# mirrorball_discover_suites(PROGRAM NAME TIER tier LABELS … [ENVIRONMENT …] [EXCEPT …] [SERIAL ON|OFF])
+# mirrorball_discover_suites(PROGRAM NAME TIER tier LABELS … [ENVIRONMENT …] [EXCEPT …] [SERIAL ON|OFF]
+#                            [PROGRAMS …] [ALWAYS …])
 #
 # Tells CTest the suites of a GoogleTest program, as NAME.Suite: the target NAME_suites lists them anew when the program has
-# changed. EXCEPT leaves tests out, as GoogleTest's filter has them.
+# changed. EXCEPT leaves tests out, as GoogleTest's filter has them. PROGRAMS are all on which its suites depend; without any
+# they are always run, as the suites ALWAYS are.
 function(mirrorball_discover_suites program name)
-  cmake_parse_arguments(SUITES "" "TIER;SERIAL" "LABELS;ENVIRONMENT;EXCEPT" ${ARGN})
+  cmake_parse_arguments(SUITES "" "TIER;SERIAL" "LABELS;ENVIRONMENT;EXCEPT;PROGRAMS;ALWAYS" ${ARGN})
   # The program's own rows in a file of their own, which is written only when they change: others do not list it anew. The
   # build for browsers has none, since the rows are those of the machine's own build.
   set(own_rows)
@@ -78,6 +90,7 @@ function(mirrorball_discover_suites program name)
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${program}>" -DNAME=${name}
             "-DLABELS=${SUITES_LABELS}" "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}"
             -DTIER=${SUITES_TIER} "-DSERIAL=${SUITES_SERIAL}" "-DROWS=${rows}" "-DMEASURE=${mirrorball_measure}"
+            "-DUNCHANGED=${mirrorball_unchanged}" "-DPROGRAMS=${SUITES_PROGRAMS}" "-DALWAYS=${SUITES_ALWAYS}"
             "-DOUTPUT=${suites}" -P "${script}"
     DEPENDS ${program} "${script}" "${rows}"
     COMMENT "Listing the tests of ${program}"

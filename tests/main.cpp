@@ -33,6 +33,13 @@ class OwnTemporaryFolder {
   std::string folder_;
 };
 
+/// Makes the file by which tests/unchanged.sh learns that not every test was run.
+void tellOfSkippedTests() {
+  const char* const path = std::getenv("MIRRORBALL_SKIPPED_FILE");
+  if (path == nullptr) return;
+  if (std::FILE* const file = std::fopen(path, "w")) std::fclose(file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,5 +53,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "no test has such a name\n");
     return 1;
   }
+  if (tests.skipped_test_count() > 0) tellOfSkippedTests();
   return result == 0 && tests.skipped_test_count() == tests.test_to_run_count() ? kSkipped : result;
 }

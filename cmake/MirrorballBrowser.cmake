@@ -4,7 +4,7 @@
 # Single headers out of /usr/include. The folder itself would bring those of the system's C library.
 set(mirrorball_package_headers "${PROJECT_BINARY_DIR}/headers")
 file(MAKE_DIRECTORY "${mirrorball_package_headers}")
-foreach(header glm hwy kissfft stb tl xxh3.h xxhash.h)
+foreach(header glm hwy kissfft nlohmann stb tl xxh3.h xxhash.h)
   find_path(MIRRORBALL_FOLDER_OF_${header} ${header} PATHS /usr/include REQUIRED NO_CMAKE_FIND_ROOT_PATH)
   file(CREATE_LINK "${MIRRORBALL_FOLDER_OF_${header}}/${header}" "${mirrorball_package_headers}/${header}" SYMBOLIC)
 endforeach()
@@ -19,6 +19,7 @@ endfunction()
 
 mirrorball_headers(glm::glm)
 mirrorball_headers(tl::expected)
+mirrorball_headers(nlohmann_json::nlohmann_json)
 mirrorball_headers(PkgConfig::hwy)  # with one kind of vectors, it chooses none when the program runs
 mirrorball_headers(PkgConfig::kissfft "${PROJECT_SOURCE_DIR}/cmake/browser" "${mirrorball_package_headers}/kissfft")
 add_library(mirrorball_xxhash STATIC "${PROJECT_SOURCE_DIR}/cmake/browser/xxhash.cpp")

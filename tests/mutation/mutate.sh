@@ -2,8 +2,9 @@
 # usage: tests/mutation/mutate.sh [--count 40] [--seed 1] [--list] [WORK_FOLDER]
 #
 # Says how well the tests would notice a mistake: changes one operator or one number of the sources at a time, in a
-# clone of HEAD, and looks which suite fails. A third of the changes is in the formulas, a third in the core modules, a
-# third in the readers of files. README.md says how to read the results.
+# clone of HEAD, and looks which suite fails: of the module, else of what is built of it, else of all. A third of the
+# changes is in the formulas, a third in the core modules, a third in the readers of files. README.md says how to read
+# the results.
 #
 #   --count N     so many changes that compile
 #   --seed N      other changes; those of one seed and one commit are always the same
@@ -139,19 +140,20 @@ failedSuites() {
     sed 's/ (Failed)$//'
 }
 
-# Suites that fail without any mutation say nothing about one. Neither do those of the house: they judge the layout.
+# Suites that fail without any mutation say nothing about one. Neither do those that judge the sources themselves.
+judge_sources='(house|House)\..*|golden\.GoldenTruths'
 findLeftOut() {
   if [ ! -e "$work/failing.txt" ]; then
     echo "running all suites without a mutation"
     clearCaches
-    runSuites unchanged.log -E '^(house|House)\.' || failedSuites unchanged.log | sed 's/ .*//' >"$work/failing.part"
+    runSuites unchanged.log -E "^($judge_sources)\$" || failedSuites unchanged.log | sed 's/ .*//' >"$work/failing.part"
     touch "$work/failing.part"
     grep -q '^100% tests passed' "$work/logs/unchanged.log" || [ -s "$work/failing.part" ] ||
       fail "the suites could not be run; see $work/logs/unchanged.log"
     mv "$work/failing.part" "$work/failing.txt"
   fi
   [ ! -s "$work/failing.txt" ] || sed 's/^/left out, since it fails without a mutation: /' "$work/failing.txt"
-  left_out="^((house|House)\\..*$(sed 's/[.[*^$+?()|/]/\\&/g; s/^/|/' "$work/failing.txt" | tr -d '\n'))\$"
+  left_out="^($judge_sources$(sed 's/[.[*^$+?()|/]/\\&/g; s/^/|/' "$work/failing.txt" | tr -d '\n'))\$"
 }
 
 # usage: applyMutation PATH LINE COLUMN OLD NEW
@@ -167,13 +169,14 @@ applyMutation() {
   cat "$work/mutated" >"$file"
 }
 
-# usage: buildMutation LOG; 0: it builds, else $result says what came of it
+# usage: buildMutation LOG TARGET…; 0: it builds, else $result says what came of it
 #
 # Ninja itself and not `cmake --build`, which would leave it running when its time is up. The build also runs programs
 # that it has made, and these may fail or never end.
 buildMutation() {
   local log=$work/logs/$1
-  timeout --foreground 3600 ninja -C "$build" -j "$(nproc)" tests_default >"$log" 2>&1 </dev/null && return
+  shift
+  timeout --foreground 3600 ninja -C "$build" -j "$(nproc)" "$@" >"$log" 2>&1 </dev/null && return
   if grep -qE '^[^ ]+:[0-9]+:[0-9]+: (fatal )?error: |clang[^ ]*: error: |undefined reference' "$log"; then
     result="does not compile"
     by=none
@@ -184,26 +187,37 @@ buildMutation() {
   return 1
 }
 
-# usage: findPrograms PATH; sets $own and $others, names with "|" between, of the test programs linked anew
-#
-# Those that the mutation before had changed are among them, since its file was restored. That costs time only.
-findPrograms() {
-  local module=${1#src/mirrorball/} program name
-  module=${module%%/*}
-  own=
-  others=
-  while read -r program; do
-    name=${program##*/}
-    name=${name%_test}
-    case $1:$program in
-      formula/*:*/formula_test | formula/*:*/parity_test | *:src/mirrorball/"$module"/*) own="$own|$name" ;;
-      *) others="$others|$name" ;;
-    esac
-  done < <(cd "$build" && find . -type f -name '*_test' -perm -u+x -newer "$work/stamp" | sed 's|^\./||' | sort)
-  # These start the program, and are not linked with it.
-  [ -z "$(find "$build/apps/cli/mirrorball" -newer "$work/stamp" 2>/dev/null)" ] || others="$others|cli|golden"
-  own=${own#|}
-  others=${others#|}
+# The names of test programs among those given by their paths, a line each.
+programNames() {
+  sed 's|.*/||; s|_test$||' | sort -u
+}
+
+# usage: findOwn PATH; sets $own to the names of the test programs of its module; of a formula's, those of formulas
+findOwn() {
+  local module=${1#src/mirrorball/} folders
+  case $1 in
+    formula/*) folders=(tests/formula tests/parity) ;;
+    *) folders=("src/mirrorball/${module%%/*}") ;;
+  esac
+  mapfile -t own < <(cd "$build" && find "${folders[@]}" -type f -name '*_test' -perm -u+x | programNames)
+}
+
+# Sets $others to the names of all other test programs that were linked anew. Those that the mutation before had changed
+# are among them, since its file was restored. That costs time only.
+findOthers() {
+  mapfile -t others < <(
+    {
+      find "$build" -type f -name '*_test' -perm -u+x -newer "$work/stamp"
+      # These start the program, and are not linked with it.
+      [ -z "$(find "$build/apps/cli/mirrorball" -newer "$work/stamp" 2>/dev/null)" ] || printf '%s\n' cli golden
+    } | programNames | grep -vxF "$(printf '%s\n' "${own[@]}" none)"
+  )
+}
+
+# The words, with "|" between.
+alternatives() {
+  local IFS='|'
+  echo "$*"
 }
 
 # usage: isCaught LOG WORDS BY COMMAND…; whether COMMAND, which writes LOG, found a failing suite
@@ -229,10 +243,17 @@ judge() {
     by=none
     return
   fi
-  buildMutation "$log" || return
-  findPrograms "$2"
-  [ -z "$own" ] || ! isCaught "$log" "caught by" own runSuites "$log" -R "^($own)\\." "${first[@]}" || return 0
-  [ -z "$others" ] || ! isCaught "$log" "caught by" others runSuites "$log" -R "^($others)\\." "${first[@]}" || return 0
+  findOwn "$2"
+  if [ ${#own[@]} -gt 0 ]; then
+    buildMutation "$log" "${own[@]/%/_suites}" || return 0
+    ! isCaught "$log" "caught by" own runSuites "$log" -R "^($(alternatives "${own[@]}"))\\." "${first[@]}" || return 0
+  fi
+  buildMutation "$log" tests_default || return 0
+  findOthers
+  if [ ${#others[@]} -gt 0 ]; then
+    ! isCaught "$log" "caught by" others runSuites "$log" -R "^($(alternatives "${others[@]}"))\\." "${first[@]}" ||
+      return 0
+  fi
   ! isCaught "$log" "survived modules, caught by ./test:" whole runWhole "$log" || return 0
   result=survived
   by=none

@@ -11,13 +11,9 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/gltf/output_json.h"
 
 namespace mirrorball::gltf {
-
-/// JSON whose members keep the order in which they were added, and whose numbers are floats: "0.3", not
-/// "0.30000001192092896".
-using OutputJson =
-    nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
 
 /// A .glb file as it grows: its JSON, and the bytes of its one buffer.
 class GlbBuilder {

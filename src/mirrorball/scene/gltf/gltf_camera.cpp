@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "formula/constants.h"
 #include "mirrorball/base/text.h"
 

@@ -6,7 +6,7 @@
 
 #include "mirrorball/base/json_reader.h"
 #include "mirrorball/scene/camera/model_camera.h"
-#include "mirrorball/scene/gltf/glb_builder.h"
+#include "mirrorball/scene/gltf/output_json.h"
 
 namespace mirrorball::gltf {
 

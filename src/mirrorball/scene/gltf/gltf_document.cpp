@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
 
 #include "mirrorball/base/json_reader.h"
 #include "mirrorball/base/text.h"

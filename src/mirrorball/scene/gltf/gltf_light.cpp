@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "formula/constants.h"
 #include "formula/tangent.h"
 #include "mirrorball/base/text.h"

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/json_reader.h"
-#include "mirrorball/scene/gltf/glb_builder.h"
+#include "mirrorball/scene/gltf/output_json.h"
 #include "mirrorball/scene/model_light.h"
 
 namespace mirrorball::gltf {

@@ -28,8 +28,8 @@ endmacro()
 # (no GL driver, no shared data) is counted by CTest as skipped. Its code is an object library, NAME_test_code, which is
 # optimised a little where it COMPUTES. With REPLACES its sources define functions of a room once more.
 #
-# STARTS are the targets of programs that its tests start. Where neither it nor they have changed since a suite passed,
-# ./test leaves that out (tests/unchanged.sh), except ALWAYS, which are suites that read the sources.
+# STARTS are the targets of programs that its tests start. ./test leaves out a suite that has passed if neither its program
+# nor these have changed since (tests/unchanged.sh), except the suites ALWAYS, which read C++ sources.
 function(mirrorball_test name)
   cmake_parse_arguments(TEST "COMPUTES;REPLACES;SERIAL" "TIER" "SOURCES;DEPENDS;STARTS;ALWAYS;LABELS" ${ARGN})
   mirrorball_default(TEST_LABELS unit)
@@ -53,10 +53,12 @@ function(mirrorball_test name)
   endif()
   add_executable(${name}_test ${optimised} $<TARGET_OBJECTS:mirrorball_test_main>)
   target_link_libraries(${name}_test PRIVATE ${name}_test_code)
-  set(programs ${name}_test)
+  set(programs)
+  foreach(target IN ITEMS ${name}_test LISTS TEST_STARTS)
+    list(APPEND programs "$<PATH:RELATIVE_PATH,$<TARGET_FILE:${target}>,${PROJECT_BINARY_DIR}>")
+  endforeach()
   foreach(target IN LISTS TEST_STARTS)
     add_dependencies(${name}_test ${target})
-    list(APPEND programs $<TARGET_FILE_NAME:${target}>)
   endforeach()
   mirrorball_discover_suites(${name}_test ${name} TIER ${TEST_TIER} LABELS ${TEST_LABELS} SERIAL ${TEST_SERIAL}
                              PROGRAMS ${programs} ALWAYS ${TEST_ALWAYS})

@@ -18,9 +18,10 @@ chmod u+x build/a_test build/mirrorball
 echo three >data.txt
 echo four >code.cpp
 
-# usage: expect RUNS WHY [COMMAND EXIT_CODE]; that of two times the suite is run so many, by this command
+# usage: expect RUNS WHY [COMMAND EXIT_CODE]; calls it twice, and expects so many runs of the suite, which is COMMAND
 expect() {
-  expectOnce "$@" && expectOnce "$@"
+  expectOnce "$@"
+  expectOnce "$@"
   runs=$(wc -l <build/runs)
   : >build/runs
   [ "$runs" = "$1" ] || complain "$2: run $runs times instead of $1"
@@ -55,6 +56,12 @@ expect 1 "another program"
 echo other >>build/mirrorball
 keys
 expect 1 "another program that it starts"
+mkdir build/another
+cp build/mirrorball build/another/
+chmod u-w build/another/mirrorball
+echo other >>build/mirrorball
+keys
+expect 1 "one of two programs of a name"
 echo other >>code.cpp
 keys
 expect 0 "other C++, of which its programs are not made"
@@ -76,4 +83,9 @@ expect 2 "crashes" 'kill -SEGV $$' 139 2>/dev/null
 # shellcheck disable=SC2016
 expect 2 "skips a test" ': >"$MIRRORBALL_SKIPPED_FILE"'
 expect 1 "skips none any more"
+unset MIRRORBALL_LEAVE_OUT
+expect 2 "fails where nothing is left out" "exit 3" 3
+export MIRRORBALL_LEAVE_OUT=1
+expect 1 "was forgotten"
+cd / && rm -rf "$2"
 [ "$failures" = 0 ]

@@ -4,6 +4,7 @@
 # Each verdict of judge.sh, on a table of costs of its own.
 
 set -u
+unset MIRRORBALL_UPDATE_COSTS
 scratch=$2
 rm -rf "$scratch"
 mkdir -p "$scratch"

@@ -1,5 +1,6 @@
 #include "golden/kept_truth.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -11,6 +12,7 @@
 #include "golden/made_picture.h"
 #include "mirrorball/base/content_hash.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball::golden {
@@ -25,7 +27,8 @@ fs::path hashesPath() { return sourcePath("tests/golden/truths/hashes.txt"); }
 bool isSource(const fs::path& path) {
   const std::string name = path.filename();
   if (name.ends_with("_test.cpp") || name.find("_testing.") != std::string::npos) return false;
-  return name.ends_with(".cpp") || name.ends_with(".h") || name.ends_with(".inc") || name.ends_with(".glsl");
+  return name.ends_with(".cpp") || name.ends_with(".h") || name.ends_with(".inc") || name.ends_with(".exr") ||
+         name.ends_with(".glsl");
 }
 
 /// In the order of their names, so that the hash is the same on every file system.
@@ -52,23 +55,27 @@ void addSource(ContentHash& hash, const fs::path& path) {
 std::string hashOfSources() {
   ContentHash hash;
   for (const std::string_view folder :
-       {"formula", "src/mirrorball/bake/brdf", "src/mirrorball/environment", "src/mirrorball/height_field",
-        "src/mirrorball/rays", "src/mirrorball/scene", "src/mirrorball/trace"})
+       {"formula", "src/mirrorball/bake", "src/mirrorball/codec/color", "src/mirrorball/environment",
+        "src/mirrorball/height_field", "src/mirrorball/image", "src/mirrorball/rays", "src/mirrorball/scene",
+        "src/mirrorball/study", "src/mirrorball/trace"})
     for (const fs::path& path : filesBelow(sourcePath(folder)))
       if (isSource(path)) addSource(hash, path);
+  addSource(hash, sourcePath("apps/cli/render_reference.cpp"));
   return hash.digits();
 }
 
-/// Those that commands of cases read.
-std::string hashOfPictures() {
-  ContentHash hash;
-  for (const char* const name : {"pictures/slopes.png", "pictures/facets.png"}) {
-    std::ifstream file(sourcePath("tests/golden") / name, std::ios::binary);
-    addText(hash, std::string(std::istreambuf_iterator<char>(file), {}));
+void addFile(ContentHash& hash, const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  addText(hash, std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+/// The pictures and heights that a command names.
+void addInputs(ContentHash& hash, const std::string& command) {
+  for (const std::string& word : split(command, ' ')) {
+    const std::string value = word.substr(word.find('=') + 1);
+    if (value.starts_with("pictures/")) addFile(hash, sourcePath("tests/golden") / value);
+    if (value.starts_with("heights/")) addFile(hash, sourcePath("docs") / value);
   }
-  std::ifstream heights(sourcePath("docs/heights/brick.png"), std::ios::binary);
-  addText(hash, std::string(std::istreambuf_iterator<char>(heights), {}));
-  return hash.digits();
 }
 
 std::map<std::string, std::string> readHashes() {
@@ -88,10 +95,12 @@ bool isUpdatingTruths() {
 fs::path truthPath(const std::string& name) { return sourcePath("tests/golden/truths") / (name + ".png"); }
 
 std::string truthHash(const Case& golden_case) {
-  static const std::string of_files = hashOfSources() + hashOfPictures();
+  static const std::string of_sources = hashOfSources();
+  const std::string command = tracedCommandOf(golden_case);
   ContentHash hash;
-  addText(hash, of_files);
-  addText(hash, tracedCommandOf(golden_case));
+  addText(hash, of_sources);
+  addText(hash, command);
+  addInputs(hash, command);
   return hash.digits();
 }
 
@@ -101,6 +110,9 @@ Result<void> keepTruth(const Case& golden_case) {
   MIRRORBALL_TRY(picture, pictureMadeBy(tracedCommandOf(golden_case)));
   MIRRORBALL_TRY_VOID(writeFile(truthPath(golden_case.name), picture));
   std::map<std::string, std::string> hashes = readHashes();
+  std::erase_if(hashes, [](const auto& row) {
+    return std::ranges::none_of(cases(), [&](const Case& known) { return known.name == row.first; });
+  });
   hashes[golden_case.name] = truthHash(golden_case);
   std::ostringstream text;
   for (const auto& [name, hash] : hashes) text << name << ' ' << hash << '\n';

@@ -22,9 +22,10 @@ inline constexpr std::string_view kUpdateTruths = "MIRRORBALL_UPDATE_TRUTHS=1 ./
 /// tests/golden/truths/NAME.png
 std::filesystem::path truthPath(const std::string& name);
 
-/// Of what the traced picture of a case depends on: the command that traces it; the heights and the golden pictures
-/// that it may read; the sources of formulas, environments, scenes, rays and the path tracer, without their comments
-/// and layout. In ContentHash's digits.
+/// Of what the traced picture of a case depends on: the command that traces it; the pictures and heights that it names;
+/// the sources of formulas, light, images, scenes, rays and the path tracer, without the lines that are comments and
+/// without indentation. What else it passes through (decoders, libraries, the compiler) is not among them:
+/// GoldenTracing, of the tier long, compares the pictures themselves. In ContentHash's digits.
 ///
 /// cost     of the first call: reading 3 MB
 std::string truthHash(const Case& golden_case);

@@ -25,7 +25,7 @@ set(mirrorball_test_headers_list ${mirrorball_common_headers} <fstream> <sstream
 set(mirrorball_options_computing $<$<CONFIG:Release>:-O3> $<$<CONFIG:Dev>:-O2>)
 set(mirrorball_options_reading "")
 set(mirrorball_options_plain $<$<CONFIG:Dev>:-O0>)
-# To describe the lines of tests for a debugger, while each failure tells its own, is a twelfth of their compilation.
+# Without a debugger's tables of lines: they are a twelfth of the tests' compilation, and a failed test names its line.
 set(mirrorball_options_test $<$<NOT:$<CONFIG:Debug>>:-O0> $<$<CONFIG:Dev>:-g0>)
 set(mirrorball_options_computing_test $<$<NOT:$<CONFIG:Debug>>:-O1> $<$<CONFIG:Dev>:-g0>)
 if(EMSCRIPTEN)

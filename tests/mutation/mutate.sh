@@ -265,7 +265,7 @@ runMutation() {
   begin=$(date +%s)
   line=${8#"${8%%[! ]*}"}
   clearCaches
-  # Ninja compares times, and so does findPrograms: the file has to be newer than the stamp, and than what was built.
+  # Ninja compares times, and so does findOthers: the file has to be newer than the stamp, and than what was built.
   : >"$work/stamp"
   applyMutation "$3" "$4" "$5" "$6" "$7"
   judge "$1" "$3"

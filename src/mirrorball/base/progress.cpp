@@ -11,8 +11,10 @@ ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::s
 }
 
 void ProgressCounter::advance(std::size_t steps) {
-  const std::size_t done = done_ += steps;
-  if (progress_ && !progress_(done, total_)) stopped_ = true;
+  if (!progress_) return;
+  const std::lock_guard lock(mutex_);
+  done_ += steps;
+  if (!progress_(done_, total_)) stopped_ = true;
 }
 
 Result<void> ProgressCounter::result() const {

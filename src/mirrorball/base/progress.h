@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 
 #include "mirrorball/base/result.h"
 
@@ -20,7 +21,8 @@ using ProgressFunction = std::function<bool(std::size_t done, std::size_t total)
 /// returns        nothing for nothing
 ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::size_t count, std::size_t total);
 
-/// Counts the steps of some work that several threads finish in any order. Once it was told to stop, it stays stopped.
+/// Counts the steps of some work that several threads finish in any order. The function is called by one of them at a
+/// time, with numbers that only grow. Once it was told to stop, it stays stopped.
 class ProgressCounter {
  public:
   /// progress   must outlive it; nothing: never stops
@@ -37,7 +39,8 @@ class ProgressCounter {
  private:
   const ProgressFunction& progress_;
   std::size_t total_;
-  std::atomic<std::size_t> done_ = 0;
+  std::mutex mutex_;  ///< of done_, and while progress_ is called
+  std::size_t done_ = 0;
   std::atomic<bool> stopped_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "mirrorball/base/progress.h"
 
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -28,16 +29,18 @@ TEST(Progress, PartsTellTheStepsOfTheWhole) {
   EXPECT_FALSE(partOf({}, 0, 1, 2));
 }
 
-TEST(Progress, ACounterCountsTheStepsOfAllThreads) {
-  std::atomic<std::size_t> sum = 0;
+TEST(Progress, ACounterCountsTheStepsOfAllThreadsInOrder) {
+  std::vector<std::size_t> counted;
   const ProgressFunction progress = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, 100u);
-    sum += done;
+    counted.push_back(done);
     return true;
   };
   ProgressCounter counter(progress, 100);
   parallelFor(100, 1, [&](std::size_t, std::size_t) { counter.advance(); });
-  EXPECT_EQ(sum, 5050u);  // each number of steps once
+  std::vector<std::size_t> each(100);
+  std::iota(each.begin(), each.end(), 1);
+  EXPECT_EQ(counted, each);
   EXPECT_FALSE(counter.stopped());
   EXPECT_TRUE(counter.result());
 }

@@ -13,8 +13,6 @@
 #          However it is run, one that fails is forgotten.
 
 set -u
-locale=${LC_ALL-}
-export LC_ALL=C
 
 # Hashes of all files but C++, which reaches a suite through its programs; suites that read it are always run
 # (ALWAYS in cmake/MirrorballTests.cmake).
@@ -23,7 +21,7 @@ hashFiles() {
     git ls-files -z --cached --others --exclude-standard
   else
     find . -name build -prune -o -type f -print0
-  fi | grep -zvE '\.(cpp|h)$' | sort -zu | xargs -0r sha1sum 2>/dev/null
+  fi | grep -zvE '\.(cpp|h)$' | LC_ALL=C sort -zu | xargs -0r sha1sum 2>/dev/null
 }
 
 describeMachine() {
@@ -35,7 +33,6 @@ describeMachine() {
   id -u
   grep -m 2 -E '^(model name|flags)' /proc/cpuinfo
   ls /dev/dri 2>/dev/null
-  echo "$locale"
   env | grep -vE '^(MIRRORBALL_LEAVE_OUT|OLDPWD|PWD|SHLVL|_)=' |
     grep -E '^(COLUMNS|DISPLAY|DRI|EGL|GALLIUM|GALLIVM|GTEST|HOME|LANG|LC_|LD_|LIBGL|LP|MESA|MIRRORBALL|NIR|PATH|ST_|TMPDIR|VK_|XDG_|ZINK|__EGL|__GLX)' |
     sort
@@ -54,7 +51,8 @@ writeKeys() {
   find "$build/keys" -printf '' 2>/dev/null || return 0
   hashFiles >"$build/keys/files"
   [ -s "$build/keys/files" ] || return 0
-  shared=$({ cat "$build/keys/files" && describeMachine; } | sha1sum)
+  # The locale orders names; suites are run in the user's own.
+  shared=$({ cat "$build/keys/files" && describeMachine; } | LC_ALL=C sort | sha1sum)
   find "$build" -type f -perm -u+x \( -name '*_test' -o -name 'mirrorball*' \) -printf '%P\n' | while read -r program; do
     own=$(sha1sum <"$build/$program")
     echo "${shared%% *} ${own%% *}" >"$build/keys/$(keyFile "$program")"

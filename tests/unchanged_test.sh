@@ -58,7 +58,6 @@ keys
 expect 1 "another program that it starts"
 mkdir build/another
 cp build/mirrorball build/another/
-chmod u-w build/another/mirrorball
 echo other >>build/mirrorball
 keys
 expect 1 "one of two programs of a name"

@@ -232,7 +232,7 @@ isCaught() {
 }
 
 runWhole() {
-  (cd "$clone" && ./test --stop-on-failure -E "$left_out") >"$work/logs/$1" 2>&1 </dev/null
+  (cd "$clone" && ./test -E "$left_out" --stop-on-failure) >"$work/logs/$1" 2>&1 </dev/null
 }
 
 # usage: judge NUMBER PATH; sets $result and $by: own, others, whole, build, or none

@@ -52,6 +52,14 @@ class WindowTest : public ::testing::Test {
     settle();
   }
 
+  /// Presses the manager's key for closing until the window has gone: the manager may not have given it the focus yet.
+  void closeByKey() {
+    for (int tries = 0; tries < 30 && view_->isRunning(); ++tries) {
+      display_->hand("search --name ^Mirrorball windowactivate --sync key alt+F4");
+      (void)view_->waitFor(1.0);
+    }
+  }
+
   static void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
   /// Waits until the window's title says that nothing is going on, for a while in which what is seen stays the same.
@@ -274,17 +282,13 @@ TEST_F(WindowTest, FollowsItsManager) {
 TEST_F(WindowTest, ClosesWhileItLoads) {
   view_ = std::make_unique<Process>(std::vector<std::string>{MIRRORBALL_VIEW, "knot", "-e", "sunset"}, log_);
   for (int tries = 0; tries < 600 && display_->hand("search --name ^Mirrorball").empty(); ++tries) wait(0.05);
-  // The manager may not have it yet.
-  for (int tries = 0; tries < 30 && view_->isRunning(); ++tries) {
-    display_->hand("search --name ^Mirrorball windowactivate --sync key alt+F4");
-    (void)view_->waitFor(1.0);
-  }
+  closeByKey();
   EXPECT_EQ(view_->waitFor(1.0), 0) << textOf(log_);
 }
 
 TEST_F(WindowTest, ClosesByItsManager) {
   open({"sphere", "-e", "white"});
-  display_->hand("search --name ^Mirrorball windowactivate --sync key alt+F4");
+  closeByKey();
   EXPECT_EQ(view_->waitFor(20.0), 0) << textOf(log_);
 }
 

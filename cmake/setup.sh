@@ -4,8 +4,8 @@
 #
 # Installs the packages of the groups given (packages.txt) that are missing, then configures one preset of
 # CMakePresets.json and builds it, or only the target given; for `packages` it only installs. Leaves the stamp
-# build/PRESET/.begun, of the time at which the build began. Exit code 0 or 1. Writes to stderr only: stdout belongs to the program that is
-# built.
+# build/PRESET/.begun, of the time at which the build began. Exit code 0 or 1. Writes to stderr only: stdout belongs to
+# the program that is built.
 #
 #   MIRRORBALL_NO_INSTALL=1      installs nothing: prints the command, and builds if CMake finds all it needs
 #   MIRRORBALL_OS_RELEASE=FILE   is read instead of /etc/os-release, to try another system's way
@@ -113,12 +113,19 @@ lock() {
   fi
 }
 
+# Whether the build calls its compiler through a compiler cache that is not installed any more.
+lacksLauncher() {
+  launcher=$(sed -n 's/^CMAKE_CXX_COMPILER_LAUNCHER:[^=]*=//p' "$build/CMakeCache.txt" 2>/dev/null)
+  [ -n "$launcher" ] && ! command -v "${launcher%%;*}" >/dev/null
+}
+
 configureIfNeeded() {
   # A tree that was copied or moved brings a cache that names another folder.
   if [ -e "$build/CMakeCache.txt" ] &&
     ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     rm -f "$build/.configured" "$build/CMakeCache.txt"
   fi
+  if lacksLauncher; then rm -f "$build/.configured" "$build/CMakeCache.txt"; fi
   # Ninja runs CMake again by itself where a CMakeLists.txt has changed, but does not read the presets again.
   # Where a changed preset names another compiler than the cache, CMake would forget all that it says besides. A fresh
   # configuration compiles everything again, so otherwise the cache is kept.

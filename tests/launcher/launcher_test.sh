@@ -152,6 +152,18 @@ expectExit 0 "$tree.moved/mirrorball"
 expectOut 'third'
 mv "$tree.moved" "$tree"
 
+# A compiler cache that was uninstalled since it configured the build.
+mkdir "$tree/bin"
+printf '#!/bin/sh\nexec "$@"\n' >"$tree/bin/some_cache"
+chmod +x "$tree/bin/some_cache"
+rm -rf "$tree/build"
+expectExit 0 env "PATH=$tree/bin:$PATH" CMAKE_CXX_COMPILER_LAUNCHER=some_cache "$launcher"
+rm -r "$tree/bin"
+waitForClock
+writeProgram fourth
+expectExit 0 "$launcher"
+expectOut 'fourth'
+
 # A missing package: what it is for and the command; the build goes on with what is there.
 if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
   echo 'ID=debian' >"$tree/os-release"
@@ -166,7 +178,7 @@ echo 'ID=other' >"$tree/os-release"
 rm -rf "$tree/build"
 expectExit 0 env "MIRRORBALL_OS_RELEASE=$tree/os-release" "$launcher"
 expectErr 'oneTBB: parallel loops'
-expectOut 'third'
+expectOut 'fourth'
 
 rm -rf "$tree" "$tree.a" "$out" "$err"
 echo "the launcher behaves"

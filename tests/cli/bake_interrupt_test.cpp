@@ -80,6 +80,16 @@ TEST_F(BakeInterruptTest, WritingStopsBetweenFiles) {
                              Not(Contains("out/manifest.json")), Not(Contains(HasSubstr(".part")))));
 }
 
+TEST_F(BakeInterruptTest, OfANewFolderWhatOthersPutThereStays) {
+  const std::string line = "bake map.exr --size 8 --brdf-size 2 --irradiance-size 256 --zstd 22 -o new/out";
+  Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = 1, .on_terminal = true});
+  program.waitUntilShown("wrote new/out/specular.ktx2");
+  write("new/out/others.txt", std::string("finished"));
+  program.interrupt();
+  EXPECT_EQ(program.wait().signal, SIGINT);
+  EXPECT_THAT(files(), AllOf(Contains("new/out/others.txt"), Not(Contains(HasSubstr(".ktx2")))));
+}
+
 // The one that is being written goes away, and the ones before it stay.
 TEST_F(BakeInterruptTest, OfManyTheFinishedOnesStay) {
   const std::string line = "bake white map.exr --size 8 --brdf-size 2 --irradiance-size 256 --zstd 22 -o out";

@@ -53,10 +53,10 @@ Result<OutputFolder> OutputFolder::make(const std::string& folder) {
   // Before anything counts as made here, which goes away again.
   MIRRORBALL_TRY_VOID(checkPlaceOf(folder));
   std::error_code status;
-  std::string made;
+  std::vector<std::string> made;
   for (std::filesystem::path above = folder; !above.empty() && !std::filesystem::exists(above, status);
        above = above.parent_path())
-    made = above.string();
+    if (above.has_filename()) made.push_back(above.string());  // "out/" and "out" are one
   OutputFolder output(std::move(made));
   MIRRORBALL_TRY_VOID(makeFolder(folder));
   return output;

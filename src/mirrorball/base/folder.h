@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/base/unfinished.h"
@@ -19,8 +20,8 @@ bool isOneFile(const std::string& output);
 /// errors   io (something else is in its place)
 Result<void> makeFolder(const std::string& folder);
 
-/// A folder for files that belong together. What was not there before goes away again with all that was put into it,
-/// unless it is kept.
+/// A folder for files that belong together. What was not there before, the folder and the files that this process puts
+/// into it, goes away again unless it is kept.
 class OutputFolder {
  public:
   /// errors   io
@@ -31,9 +32,9 @@ class OutputFolder {
   void keep() { made_.keep(); }
 
  private:
-  explicit OutputFolder(std::string made) : made_(std::move(made)) {}
+  explicit OutputFolder(std::vector<std::string> made) : made_(std::move(made)) {}
 
-  UnfinishedPath made_;  // the uppermost folder that was made
+  UnfinishedFolder made_;
 };
 
 }  // namespace mirrorball

@@ -9,12 +9,24 @@
 #include <utility>
 
 namespace mirrorball {
+
+namespace fs = std::filesystem;
+
+struct UnfinishedFolder::Content {
+  std::vector<std::string> folders;  ///< the innermost first
+  std::vector<std::string> files;
+
+  bool holds(const std::string& file) const;
+  void remove() const;
+};
+
 namespace {
 
 /// All that is unfinished in this process. It outlives every thread that may ask for it.
 struct UnfinishedPaths {
   std::mutex guard;
   std::multiset<std::string> paths;
+  std::set<std::shared_ptr<UnfinishedFolder::Content>> contents;
 };
 UnfinishedPaths& unfinishedPaths() {
   static auto* const all = new UnfinishedPaths;
@@ -23,10 +35,28 @@ UnfinishedPaths& unfinishedPaths() {
 
 void removeWithAllInIt(const std::string& path) {
   std::error_code status;
-  std::filesystem::remove_all(path, status);
+  fs::remove_all(path, status);
+}
+
+/// Without links' being followed, so that two spellings of one place are the same.
+fs::path absolutePath(const std::string& path) {
+  std::error_code status;
+  const fs::path absolute = fs::absolute(path, status).lexically_normal();
+  return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
 }  // namespace
+
+bool UnfinishedFolder::Content::holds(const std::string& file) const {
+  return absolutePath(file).parent_path() == absolutePath(folders.front());
+}
+
+void UnfinishedFolder::Content::remove() const {
+  std::error_code status;
+  for (const std::string& file : files) fs::remove(file, status);
+  // A folder that is not empty is not removed, and neither are those above it.
+  for (const std::string& folder : folders) fs::remove(folder, status);
+}
 
 UnfinishedPath::UnfinishedPath(std::string path) : path_(std::move(path)) {
   if (path_.empty()) return;
@@ -49,6 +79,8 @@ bool UnfinishedPath::finishAs(const std::string& name) {
     if (std::rename(path_.c_str(), name.c_str()) == 0) {
       auto& paths = unfinishedPaths().paths;
       paths.erase(paths.find(std::exchange(path_, {})));
+      for (const auto& content : unfinishedPaths().contents)
+        if (content->holds(name)) content->files.push_back(name);
       return true;
     }
   }
@@ -64,10 +96,30 @@ void UnfinishedPath::remove() {
   keep();
 }
 
+UnfinishedFolder::UnfinishedFolder(std::vector<std::string> folders) {
+  if (folders.empty()) return;
+  content_ = std::make_shared<Content>(Content{std::move(folders), {}});
+  const std::scoped_lock lock(unfinishedPaths().guard);
+  unfinishedPaths().contents.insert(content_);
+}
+
+UnfinishedFolder::~UnfinishedFolder() {
+  if (empty()) return;
+  content_->remove();
+  keep();
+}
+
+void UnfinishedFolder::keep() {
+  if (empty()) return;
+  const std::scoped_lock lock(unfinishedPaths().guard);
+  unfinishedPaths().contents.erase(std::exchange(content_, nullptr));
+}
+
 void removeUnfinished() {
   // For good: nothing that the other threads still do may stay.
   unfinishedPaths().guard.lock();
   for (const std::string& path : unfinishedPaths().paths) removeWithAllInIt(path);
+  for (const auto& content : unfinishedPaths().contents) content->remove();
 }
 
 }  // namespace mirrorball

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace mirrorball {
 
@@ -29,6 +31,29 @@ class UnfinishedPath {
 
  private:
   std::string path_;
+};
+
+/// New folders whose files belong together. Unless they are kept, the files that this process finished in them
+/// (UnfinishedPath::finishAs) are removed when the owner goes away, and then those folders that are empty: what another
+/// program puts there stays.
+class UnfinishedFolder {
+ public:
+  /// folders   those that are made here, the innermost first; none: nothing will be removed
+  explicit UnfinishedFolder(std::vector<std::string> folders);
+  UnfinishedFolder(UnfinishedFolder&&) noexcept = default;
+  UnfinishedFolder& operator=(UnfinishedFolder&&) = delete;
+  ~UnfinishedFolder();
+
+  bool empty() const { return content_ == nullptr; }
+
+  /// Lets them stay with all that is in them.
+  void keep();
+
+  /// The folders, and the files that were finished in them.
+  struct Content;
+
+ private:
+  std::shared_ptr<Content> content_;
 };
 
 /// Removes all that is unfinished. From then on nothing can be begun or finished: whoever tries waits for the end of

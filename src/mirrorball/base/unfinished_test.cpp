@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -62,6 +63,34 @@ TEST_F(UnfinishedTest, IsFinishedUnderItsName) {
   EXPECT_FALSE(exists("other.part"));
 }
 
+TEST_F(UnfinishedTest, OfAFolderThatIsNotKeptWhatOthersPutThereStays) {
+  {
+    const UnfinishedFolder folder({path("new/out"), path("new")});
+    fs::create_directories(path("new/out"));
+    make("new/out/own");
+    std::ofstream(path("new/out/others")) << "finished";
+  }
+  EXPECT_FALSE(exists("new/out/own"));
+  EXPECT_TRUE(exists("new/out/others"));
+  fs::remove(path("new/out/others"));
+  {
+    const UnfinishedFolder again({path("new/out/"), path("new")});
+    make("new/out/../out/own");
+  }
+  EXPECT_FALSE(exists("new"));
+}
+
+TEST_F(UnfinishedTest, AFolderThatIsKeptStays) {
+  UnfinishedFolder folder({path("kept")});
+  fs::create_directories(path("kept"));
+  make("kept/own");
+  folder.keep();
+  EXPECT_TRUE(folder.empty());
+  const UnfinishedFolder none({});
+  EXPECT_TRUE(none.empty());
+  EXPECT_TRUE(exists("kept/own"));
+}
+
 #if GTEST_HAS_DEATH_TEST  // a browser has no processes
 // In a process of its own, which ends with it: nothing can be finished afterwards.
 TEST_F(UnfinishedTest, AllIsRemovedAtOnceByAProgramThatEnds) {
@@ -70,6 +99,9 @@ TEST_F(UnfinishedTest, AllIsRemovedAtOnceByAProgramThatEnds) {
     auto finished = FileWriter::create(path("finished"));
     const UnfinishedPath folder(path("folder"));
     fs::create_directories(path("folder/in/it"));
+    const UnfinishedFolder set({path("set")});
+    fs::create_directories(path("set"));
+    make("set/own");
     const bool done = begun && finished && finished->commit();
     removeUnfinished();
     std::_Exit(done && exists("finished") ? 7 : 1);

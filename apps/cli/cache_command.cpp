@@ -1,10 +1,10 @@
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/terminal.h"
 #include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
@@ -25,18 +25,18 @@ Result<void> showOrClear(const std::string& what) {
   if (!action) return tl::unexpected<Error>(unknownName("action of cache", what, kActions));
   MIRRORBALL_TRY(cache, CacheFolder::ofUser());
   if (!cache) {
-    std::puts("there is no cache: MIRRORBALL_CACHE is empty, or there is no home folder");
+    print("there is no cache: MIRRORBALL_CACHE is empty, or there is no home folder\n");
     return {};
   }
-  std::printf("folder       %s\n", cache->folder().c_str());
+  print("folder       " + printable(cache->folder().string()) + "\n");
   if (kActions[*action] == "clear") {
     MIRRORBALL_TRY(removed, cache->clear());
-    std::printf("removed      %s\n", contentsText(removed).c_str());
+    print("removed      " + contentsText(removed) + "\n");
     return {};
   }
-  std::printf("holds        %s\n", contentsText(cache->contents()).c_str());
-  std::printf("at most      %s (MIRRORBALL_CACHE_SIZE); what was not used for longest goes first\n",
-              cache->maxBytes() == 0 ? "nothing" : textOfBytes(cache->maxBytes()).c_str());
+  print("holds        " + contentsText(cache->contents()) + "\n");
+  print("at most      " + (cache->maxBytes() == 0 ? "nothing" : textOfBytes(cache->maxBytes())) +
+        " (MIRRORBALL_CACHE_SIZE); what was not used for longest goes first\n");
   return {};
 }
 

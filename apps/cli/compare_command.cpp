@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -239,16 +238,17 @@ Result<void> holdToThresholds(const ToldComparison& told) {
   return fail(ErrorCode::out_of_range, join(std::span<const std::string>(worse)));
 }
 
-void print(const ToldComparison& told) {
+void printComparison(const ToldComparison& told) {
   if (told.options.json) {
-    std::fputs(jsonOf(told).c_str(), stdout);
+    print(jsonOf(told));
     return;
   }
-  std::printf("%s against %s\n", told.test.c_str(), told.reference.c_str());
-  for (const std::string& line : linesOf(told)) std::printf("  %s\n", line.c_str());
+  std::string text = printable(told.test) + " against " + printable(told.reference) + "\n";
+  for (const std::string& line : linesOf(told)) text += "  " + line + "\n";
   const bool has_picture = !told.options.heat_map.empty() || !told.options.sheet.empty();
   if (has_picture && told.options.map == HeatMapKind::difference)
-    std::printf("  map       full colour at a difference of %s\n", formatNumber(double(told.scale)).c_str());
+    text += "  map       full colour at a difference of " + formatNumber(double(told.scale)) + "\n";
+  print(text);
 }
 
 Result<void> compare(const std::string& test_name, const std::string& reference_name, const CompareOptions& options,
@@ -272,7 +272,7 @@ Result<void> compare(const std::string& test_name, const std::string& reference_
     remark(names + ": colours count by their coverage, which is compared by itself as alpha");
   const float scale = options.scale > 0.0f ? options.scale : usualScale(comparison.difference);
   const ToldComparison told{shown(test_name), shown(reference_name), options, std::move(comparison), scale};
-  print(told);
+  printComparison(told);
   MIRRORBALL_TRY_VOID(writePictures(told));
   return withName(names, holdToThresholds(told));
 }

@@ -1,5 +1,4 @@
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -147,7 +146,7 @@ Result<void> tellFresnel(const FresnelRequest& request, bool prints) {
     MIRRORBALL_TRY_VOID(checkFolder(output));
     MIRRORBALL_TRY_VOID(writePlot(subject, output));
   }
-  if (prints) std::fputs((request.json ? jsonOf(subject) : textOf(subject)).c_str(), stdout);
+  if (prints) print(request.json ? jsonOf(subject) : textOf(subject));
   return {};
 }
 

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <span>
@@ -145,8 +144,8 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
       found = InputInfo{shown(input), Error{found.error().code, shown(lineOf(found.error()))}};
     } else if (!options.json) {
       const bool is_named = !is_one && !options.direction.empty();
-      std::printf("%s%s%s", is_one || &input == &inputs.front() ? "" : "\n",
-                  is_named ? (found->name + "\n").c_str() : "", textOf(*found).c_str());
+      print((is_one || &input == &inputs.front() ? "" : "\n") + (is_named ? printable(found->name) + "\n" : "") +
+            textOf(*found));
     }
     // A map may be large: of what is printed already only the name is kept.
     if (options.json) {
@@ -155,7 +154,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
       known.push_back(std::move(*found));
     }
   }
-  if (options.json) std::fputs(jsonOf(known).c_str(), stdout);
+  if (options.json) print(jsonOf(known));
   return is_one ? Result<void>() : outcomeOfMany(failed, inputs.size(), "read", "");
 }
 

@@ -156,7 +156,7 @@ std::size_t triangleCount(const Scene& scene) {
 
 std::string textOf(const InputInfo& info) {
   const auto* const map = std::get_if<MapInfo>(&info.what);
-  const std::string heading = map && map->direction ? "" : info.name + "\n";
+  const std::string heading = map && map->direction ? "" : printable(info.name) + "\n";
   return heading + std::visit([](const auto& what) { return textOf(what); }, info.what);
 }
 

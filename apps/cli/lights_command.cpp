@@ -1,5 +1,4 @@
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -173,7 +172,7 @@ Result<void> findLights(LightsRequest& request) {
   else
     MIRRORBALL_TRY_VOID(splitInto(std::move(map), loaded.files, request, found));
   if (!options.picture.empty()) MIRRORBALL_TRY_VOID(drawLamps(drawn, options, found));
-  std::fputs((options.json ? jsonOf(found) : textOf(found)).c_str(), stdout);
+  print(options.json ? jsonOf(found) : textOf(found));
   return {};
 }
 

@@ -54,7 +54,7 @@ bool isClippedAny(std::span<const MapLamp> lamps) {
 }  // namespace
 
 std::string textOf(const FoundLights& found) {
-  std::string text = found.name + ": ";
+  std::string text = printable(found.name) + ": ";
   if (found.lamps.empty() && found.taken.empty())
     return text + "no lamp outshines the rest with " + shortText(100.0 * double(found.min_share)) +
            " % of the light or more\n";

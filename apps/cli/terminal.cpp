@@ -65,7 +65,7 @@ void drawBar(const std::string& what, std::size_t done, std::size_t total, const
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = kWidth * done / total;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r%s [%s] %zu/%s \033[K", what.c_str(), bar.c_str(), done,
+  std::fprintf(stderr, "\r%s [%s] %zu/%s \033[K", printable(what).c_str(), bar.c_str(), done,
                totalAndTime(done, total, unit, elapsed_s).c_str());
   std::fflush(stderr);
   bar_shown = true;
@@ -135,6 +135,12 @@ void tellAside(const std::string& line) {
 
 void tell(const std::string& line) {
   if (!is_quiet) say(output_is_taken ? stderr : stdout, line);
+}
+
+void print(const std::string& text) {
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    std::fprintf(stdout, "%s\n", printable(std::string_view(text).substr(begin, end - begin)).c_str());
 }
 
 Result<void> flushStandardOutput() {

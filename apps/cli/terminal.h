@@ -42,6 +42,10 @@ void tell(const std::string& line);
 /// Says on standard error how the work went that was asked for.
 void tellAside(const std::string& line);
 
+/// Prints text of several lines, each ended by '\n', on standard output, as a terminal may show it (base/text.h:
+/// printable). A foreign name in it may not end a line, and is made printable by who puts it there.
+void print(const std::string& text);
+
 /// Sends off what was printed on standard output, by whomever.
 ///
 /// errors   io: it, or something before it, could not be written, as where a disk is full

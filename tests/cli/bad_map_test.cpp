@@ -17,6 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class BadMapTest : public CliTest {
@@ -59,6 +60,20 @@ TEST_F(BadMapTest, ANameThatATerminalWouldObey) {
   EXPECT_THAT(refuse(1, Arguments(std::vector<std::string>{"info", name})), StartsWith("a?[2J?b.hdr: no such file"));
   write(name, std::string("no picture"));
   EXPECT_THAT(refuse(1, Arguments(std::vector<std::string>{"info", name})), StartsWith("a?[2J?b.hdr: "));
+}
+
+TEST_F(BadMapTest, WhatIsPrintedOfAGoodFileIsNoCommandToATerminal) {
+  const std::string name =
+      "a\x1b[2J\nb\xe2\x80\xae.exr";  // ESC, a newline, and U+202E, which turns the direction of writing
+  write(name, smoothPanorama());
+  const auto printed = [&](std::vector<std::string> words) { return succeed(Arguments(std::move(words))); };
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"info", name}, {"info", name, name, "--direction", "0,0,1"}, {"lights", name}, {"compare", name, name}})
+    EXPECT_THAT(printed(words), AllOf(HasSubstr("a?[2J?b?.exr"), Not(HasSubstr("\x1b")), Not(HasSubstr("\xae"))));
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"info", name, "--json"}, {"lights", name, "--json"}, {"compare", name, name, "--json"}})
+    EXPECT_THAT(printed(words),
+                AllOf(HasSubstr("a\\u001b[2J\\nb\\u202e.exr"), Not(HasSubstr("\x1b")), Not(HasSubstr("\xae"))));
 }
 
 TEST_F(BadMapTest, APipe) {

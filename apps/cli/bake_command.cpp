@@ -31,7 +31,6 @@ struct BakeOptions {
   std::string from;
   bool repair = false;
   bool timings = false;
-  std::string max_memory;
 };
 
 const std::string kBakedHelp =
@@ -52,7 +51,7 @@ const auto kBakeOptions = std::to_array<Option<BakeOptions>>({
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
-    {kMaxMemoryText, &BakeOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<BakeOptions>},
 });
 
 const Option<BakedSetSettings> kBakeRotate{kRotateText, &BakedSetSettings::rotate_deg};
@@ -180,7 +179,8 @@ Result<void> bakeOne(BakeRequest request) {
 Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string parent = request.options.output;
   if (isOneFile(parent)) return tl::unexpected<Error>(manyForOneFile(parent, inputs));
-  MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>(""); }));
+  // With '/', by which the name of room.v2.hdr is a folder's, too.
+  MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>("/"); }));
   request.options.output = folders.front();
   // What is wrong with the options is told once, before anything is made.
   StageClock unused;
@@ -208,7 +208,6 @@ Result<void> bakeInputs(const std::vector<std::string>& inputs, BakeRequest requ
     return fail(ErrorCode::usage,
                 "bake needs an output: -o FOLDER, or a " + writtenExtensions(Holds::texture, " or ") + " file");
   }
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   if (inputs.size() > 1) return bakeMany(inputs, std::move(request));
   request.environment = inputs.front();
   // Of a folder that is new nothing stays, whichever of its files are finished.

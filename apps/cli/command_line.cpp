@@ -20,10 +20,9 @@
 
 namespace mirrorball::cli {
 
-Result<void> useMemoryLimit(const std::string& written) {
-  if (written.empty()) return {};
+Result<void> useMemoryLimit(const OptionText& text, std::string_view written) {
   auto bytes = parseBytes(written);
-  if (!bytes) return fail(ErrorCode::usage, "--max-memory: " + bytes.error().message);
+  if (!bytes) return fail(ErrorCode::usage, std::string(text.name) + ": " + bytes.error().message);
   setMemoryLimit(*bytes);
   return {};
 }

@@ -14,11 +14,22 @@ namespace mirrorball::cli {
 /// errors   usage
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands);
 
+/// errors   usage: no number of bytes (base/memory.h: parseBytes)
+Result<void> useMemoryLimit(const OptionText& text, std::string_view written);
+
 /// --max-memory, of every command that reads maps.
 inline constexpr OptionText kMaxMemoryText{
     .name = "max-memory",
     .value = "BYTES",
     .help = "maximum memory for images, as in 1.5G or 800M; without it, 3/4 of the machine's memory"};
+
+/// Sets memoryLimit() as soon as the option is read, before any input is.
+///
+/// errors   usage
+template <typename Target>
+inline constexpr ParsedField<Target> kMemoryLimitField{
+    [](const Target&) { return std::string(); },
+    [](const OptionText& text, std::string_view written, Target&) { return useMemoryLimit(text, written); }};
 
 /// --inside-only, of every command that reads models (ModelLoadOptions).
 inline constexpr OptionText kInsideOnlyText{
@@ -33,10 +44,5 @@ inline constexpr OptionText kRotateText{
     .max_count = 3,
     .help = "turn the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
     .also = "env-rotation"};
-
-/// Sets the limit that --max-memory was given; empty leaves it.
-///
-/// errors   usage
-Result<void> useMemoryLimit(const std::string& written);
 
 }  // namespace mirrorball::cli

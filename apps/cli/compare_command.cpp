@@ -89,7 +89,7 @@ const auto kCompareOptions = std::to_array<Option<CompareOptions>>({
      &CompareOptions::repair},
     {{.name = "resize", .help = "bring A to the size of B first, by the mean of what each of its pixels covers"},
      &CompareOptions::resize},
-    {kMaxMemoryText, &CompareOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<CompareOptions>},
     {{.name = "heat-map", .value = "FILE", .help = kHeatMapHelp, .group = "Pictures", .takes_path = true},
      &CompareOptions::heat_map},
     {{.name = "sheet", .value = "FILE", .help = kSheetHelp, .group = "Pictures", .takes_path = true},
@@ -253,7 +253,6 @@ void printComparison(const ToldComparison& told) {
 
 Result<void> compare(const std::string& test_name, const std::string& reference_name, const CompareOptions& options,
                      const GivenOptions& given) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY_VOID(refuseIdleCompareOptions(options, given));
   MIRRORBALL_TRY_VOID(checkOutputs({test_name, reference_name}, options));
   MIRRORBALL_TRY(test, readComparedSide(test_name, options.repair));

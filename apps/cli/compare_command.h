@@ -29,7 +29,6 @@ struct CompareOptions {
   bool json = false;
   bool repair = false;
   bool resize = false;
-  std::string max_memory;
 };
 
 std::span<const Option<CompareOptions>> compareOptions();

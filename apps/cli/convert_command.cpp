@@ -35,7 +35,6 @@ struct ConvertOptions {
   std::vector<float> centre;
   std::string extension;
   bool repair = false;
-  std::string max_memory;
 };
 
 const std::string kToHelp =
@@ -85,7 +84,7 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
      &ConvertOptions::extension},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &ConvertOptions::repair},
-    {kMaxMemoryText, &ConvertOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<ConvertOptions>},
 });
 
 Resampling resamplingOf(const ConvertOptions& options) {
@@ -199,7 +198,6 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const ConvertRe
 
 Result<void> convertInputs(const std::vector<std::string>& inputs, ConvertRequest& request) {
   const std::string& output = request.output.output;
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   if (output.empty()) MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
   MIRRORBALL_TRY_VOID(settle(request));
   const std::vector<std::string> maps = withEachCubeOnce(inputs, request.conversion.load.from);

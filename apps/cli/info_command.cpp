@@ -32,7 +32,6 @@ struct InfoOptions {
   bool json = false;
   std::string from;
   bool inside_only = false;
-  std::string max_memory;
 };
 
 const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
@@ -49,7 +48,7 @@ const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
       .names = projectionNames},
      &InfoOptions::from},
     {kInsideOnlyText, &InfoOptions::inside_only},
-    {kMaxMemoryText, &InfoOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<InfoOptions>},
 });
 
 constexpr std::array<Projection::Kind, 10> kListed{
@@ -119,7 +118,6 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
 }
 
 Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& options) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   EnvironmentLoadOptions how{.keep_bad = true};
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));

@@ -35,7 +35,6 @@ struct LightsOptions {
   Display display{.tone_map = ToneMap::neutral};
   std::string from;
   bool repair = false;
-  std::string max_memory;
 };
 
 const std::string kPictureHelp =
@@ -70,7 +69,7 @@ const auto kInputs = std::to_array<Option<LightsOptions>>({
      &LightsOptions::from},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &LightsOptions::repair},
-    {kMaxMemoryText, &LightsOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<LightsOptions>},
 });
 
 /// All that `lights` was told.
@@ -158,7 +157,6 @@ Result<void> drawLamps(const Environment& map, const LightsOptions& options, con
 Result<void> findLights(LightsRequest& request) {
   MIRRORBALL_TRY_VOID(settle(request));
   const LightsOptions& options = request.options;
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(options.from));
   MIRRORBALL_TRY(loaded, loadMap(request.input, {.from = hint, .repair = options.repair}, progressBar("read")));
   if (!options.picture.empty()) MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, {&options.picture, 1}));

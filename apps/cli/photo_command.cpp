@@ -36,7 +36,6 @@ struct PhotoOptions {
   float second_rotation_deg = 90.0f;
   std::vector<float> second_circle;
   std::string second_exposures;
-  std::string max_memory;
 };
 
 const std::string kProjectionsHelp = "projection of the map: " + join(projectionNames(), ", ", " or ");
@@ -89,7 +88,7 @@ const auto kOtherOptions = std::to_array<Option<PhotoOptions>>({
       .help = "exposure times of the second photographs; without it, those of --exposures",
       .group = "Second side"},
      &PhotoOptions::second_exposures},
-    {kMaxMemoryText, &PhotoOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<PhotoOptions>},
 });
 
 /// One side of the ball as the command line gives it.
@@ -196,7 +195,6 @@ Result<void> photo(const std::vector<std::string>& inputs, const BallPhotoSettin
     MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
     return fail(ErrorCode::usage, "photo needs an output: -o FILE");
   }
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY_VOID(checkBallPhoto(first_side));
   MIRRORBALL_TRY(to, projectionToWrite(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));

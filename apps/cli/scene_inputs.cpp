@@ -50,7 +50,7 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .group = "Files"},
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
-    {kMaxMemoryText, &SceneRequest::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<SceneRequest>},
 });
 
 }  // namespace
@@ -72,7 +72,6 @@ namespace {
 /// errors   usage
 Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const MaterialChanges& materials,
                                       const FrameSettings& look) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
                           .load_model = {.inside_only = request.inside_only, .animation = request.stance.animation},

@@ -26,7 +26,6 @@ struct SceneRequest {
   bool inside_only = false;
   bool is_uncached = false;
   bool timings = false;
-  std::string max_memory = {};
 };
 
 /// The table of them, but for the model.

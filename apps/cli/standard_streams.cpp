@@ -21,12 +21,16 @@
 #include "mirrorball/base/descriptor.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/unfinished.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Of what is shorter, the whole is asked what it is.
+constexpr std::size_t kTellingBytes = 1024;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
 constexpr const char* kInputName = "standard input";
 constexpr const char* kOutputName = "standard output";
@@ -35,12 +39,26 @@ tl::unexpected<Error> failed(const char* name, const char* what) {
   return fail(ErrorCode::io, std::string(name) + ": " + what + ": " + std::strerror(errno));
 }
 
+/// Refuses what will be no input, however much of it is still to come.
+///
+/// begin    its first bytes, and there are more
+/// errors   bad_file
+Result<void> checkBegin(std::span<const std::uint8_t> begin) {
+  if (isImage(begin) || isModel(begin)) return {};
+  return fail(
+      ErrorCode::bad_file,
+      "does not begin as an image, or as a model that is read without its name (binary glTF, PLY); give its file");
+}
+
 /// Copies all that there is to read.
 ///
-/// errors   io; too_large: more than `max` bytes; interrupted
-Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
+/// check    of the first bytes of what is longer than kTellingBytes
+/// errors   io; too_large: more than `max` bytes; interrupted; as check's
+Result<void> copyAll(int from, int to, const char* name, std::uint64_t max,
+                     Result<void> (*check)(std::span<const std::uint8_t>) = nullptr) {
   std::array<std::uint8_t, kPieceBytes> piece;
   std::uint64_t copied = 0;
+  std::vector<std::uint8_t> begin;
   while (true) {
     // A signal ends the waiting, but not a read.
     pollfd input{.fd = from, .events = POLLIN, .revents = 0};
@@ -51,9 +69,14 @@ Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return failed(name, "reading failed");
     if (count == 0) return {};
-    copied += static_cast<std::uint64_t>(count);
+    const auto bytes = std::span(piece).first(static_cast<std::size_t>(count));
+    copied += bytes.size();
+    if (check != nullptr) {
+      begin.insert(begin.end(), bytes.begin(), bytes.end());
+      if (begin.size() >= kTellingBytes) MIRRORBALL_TRY_VOID(withName(name, std::exchange(check, nullptr)(begin)));
+    }
     if (copied > max) return withName(name, checkMemory(copied));
-    MIRRORBALL_TRY_VOID(withName(name, writeOn(to, std::span(piece).first(static_cast<std::size_t>(count)))));
+    MIRRORBALL_TRY_VOID(withName(name, writeOn(to, bytes)));
   }
 }
 
@@ -63,7 +86,7 @@ Result<void> keepInMemory() {
   if (::fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode)) return {};
   const Descriptor memory(::memfd_create("standard input", MFD_CLOEXEC));
   if (memory.number() < 0) return failed(kInputName, "cannot be kept");
-  MIRRORBALL_TRY_VOID(copyAll(STDIN_FILENO, memory.number(), kInputName, memoryLimit()));
+  MIRRORBALL_TRY_VOID(copyAll(STDIN_FILENO, memory.number(), kInputName, memoryLimit(), checkBegin));
   if (::dup2(memory.number(), STDIN_FILENO) < 0) return failed(kInputName, "cannot be kept");
   return {};
 }

@@ -95,7 +95,7 @@ const auto kSurfaceOptions = std::to_array<Option<SurfaceOptions>>({
       .group = "Heights"},
      choiceField<&SurfaceOptions::azimuths>},
     {kInsideOnlyText, &SurfaceOptions::inside_only},
-    {kMaxMemoryText, &SurfaceOptions::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<SurfaceOptions>},
 });
 
 /// Options that only some maps heed.
@@ -151,7 +151,6 @@ Result<void> ladder(const SurfaceRequest& request) {
 }
 
 Result<void> surface(SurfaceRequest& request) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   MIRRORBALL_TRY_VOID(checkLadder(request.ladder));
   if (request.ladder.is_wanted) return ladder(request);
   MIRRORBALL_TRY_VOID(refuseIdleSurfaceOptions(request));

@@ -42,7 +42,6 @@ struct TransferRequest {
   int rays = 64;
   int triangles = 0;
   bool inside_only = false;
-  std::string max_memory;
   GivenOptions given;
 
   std::vector<std::string> outputs() const {
@@ -137,7 +136,7 @@ const auto kTransferOptions = std::to_array<Option<TransferRequest>>({
       .group = "Light model"},
      &TransferRequest::triangles},
     {kInsideOnlyText, &TransferRequest::inside_only},
-    {kMaxMemoryText, &TransferRequest::max_memory},
+    {kMaxMemoryText, kMemoryLimitField<TransferRequest>},
 });
 
 /// errors   usage; io
@@ -253,7 +252,6 @@ Result<void> writeModel(Scene low, const Image& normals, const std::string& outp
 }
 
 Result<void> transfer(const TransferRequest& request) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY_VOID(checkTransfer(request));
   MIRRORBALL_TRY(high, loaded(request.high, request));
   if (high.empty()) return fail(ErrorCode::bad_shape, request.high + ": has no triangles");

@@ -29,6 +29,13 @@ TEST_F(BakeManyTest, EachGetsAFolderWithWhatItGetsAlone) {
   }
 }
 
+TEST_F(BakeManyTest, ADotInANameIsPartOfIt) {
+  write("room.v2.exr", smoothPanorama());
+  write("hall.exr", smoothPanorama());
+  succeed("bake room.v2.exr hall.exr --size 8 --brdf-size 4 -o out");
+  EXPECT_THAT(files(), IsSupersetOf({"out/hall/manifest.json", "out/room.v2/manifest.json"}));
+}
+
 TEST_F(BakeManyTest, ABadOneIsToldOfAndTheOthersGoOn) {
   write("bad.exr", std::string("no map"));
   const Outcome outcome = run("bake bad.exr white -o out" + std::string(kSmallSets));

@@ -53,6 +53,21 @@ TEST_F(StandardStreamsTest, WhatIsNoMapIsSaidOfStandardInput) {
               HasSubstr("standard input: is a glTF model, no map; try `mirrorball render -`"));
 }
 
+TEST_F(StandardStreamsTest, WhatNeverEndsIsRefusedByItsFirstBytes) {
+  EXPECT_THAT(refuse(1, "info -", {.input = Bytes(4096, 'y')}),
+              HasSubstr("standard input: does not begin as an image"));
+}
+
+TEST_F(StandardStreamsTest, NoMoreIsKeptThanMayBe) {
+  Bytes large = bytes("map.exr");
+  large.resize(std::size_t{500} << 10, 0);
+  for (const std::string line :
+       {"info - --max-memory 256000", "bake - -o out --max-memory 256000", "lights --max-memory 256000 -",
+        "convert - --to cube -o out.exr --max-memory 256000", "render sphere -e - -o out.png --max-memory 256000"})
+    EXPECT_THAT(refuse(1, line, {.input = large}), AllOf(HasSubstr("standard input: needs "), HasSubstr("may be used")))
+        << line;
+}
+
 TEST_F(StandardStreamsTest, StandardOutputHasTheFileAndNothingElse) {
   for (const std::string format : {"exr", "hdr", "png", "ktx2", "ktx", "dds"}) {
     const std::string line = "convert map.exr --to cube --size 16 -o ";

@@ -122,13 +122,17 @@ const ModelFormat* formatOfName(const std::filesystem::path& path) {
   return nullptr;
 }
 
-/// The format of a file by its name, else by its first bytes.
-const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
-  if (const ModelFormat* format = formatOfName(path)) return format;
+const ModelFormat* formatBegunBy(std::span<const std::uint8_t> begin) {
   const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
   for (const ModelFormat& format : kFormats)
     if (!format.magic.empty() && text.starts_with(format.magic)) return &format;
   return nullptr;
+}
+
+/// The format of a file by its name, else by its first bytes.
+const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
+  const ModelFormat* format = formatOfName(path);
+  return format != nullptr ? format : formatBegunBy(begin);
 }
 
 /// The names of the models in a folder, in the alphabet's order.
@@ -241,6 +245,8 @@ std::string modelExtensions() {
     extensions += (extensions.empty() ? "." : " .") + std::string(format.extension);
   return extensions;
 }
+
+bool isModel(std::span<const std::uint8_t> begin) { return formatBegunBy(begin) != nullptr; }
 
 std::optional<std::string_view> modelFormatOf(const std::string& path) {
   const std::vector<std::uint8_t> begin = firstBytes(path);

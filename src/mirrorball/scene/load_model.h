@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,9 @@ Result<void> checkExtent(const Scene& scene);
 /// The name of a file's format, if loadModel would take it: "a glTF", "an OBJ". Nothing if it would not, or there is no
 /// such file.
 std::optional<std::string_view> modelFormatOf(const std::string& path);
+
+/// Whether the bytes begin as a model that loadModel takes whatever its name is.
+bool isModel(std::span<const std::uint8_t> begin);
 
 /// The extensions of the files that are read: ".glb .gltf .obj .ply .stl".
 std::string modelExtensions();

@@ -1,5 +1,7 @@
 #include "mirrorball/base/progress.h"
 
+#include <cassert>
+
 namespace mirrorball {
 
 ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::size_t count, std::size_t total) {
@@ -14,6 +16,7 @@ void ProgressCounter::advance(std::size_t steps) {
   if (!progress_) return;
   const std::lock_guard lock(mutex_);
   done_ += steps;
+  assert(done_ <= total_);
   if (!progress_(done_, total_)) stopped_ = true;
 }
 

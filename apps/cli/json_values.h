@@ -21,8 +21,8 @@ inline Json numberOf(double value) {
 inline Json arrayOf(glm::vec3 v) { return {numberOf(double(v.x)), numberOf(double(v.y)), numberOf(double(v.z))}; }
 inline Json arrayOf(glm::ivec2 v) { return {v.x, v.y}; }
 
-/// The text that is printed: ASCII, since a terminal would obey some characters that JSON leaves as they are. File names
-/// need not be UTF-8, which JSON is.
+/// The text that is printed: in ASCII, since a terminal would obey some characters that JSON leaves as they are. File
+/// names need not be UTF-8, which JSON is.
 inline std::string printedJson(const Json& json) {
   constexpr bool kAsciiAlone = true;
   return json.dump(2, ' ', kAsciiAlone, Json::error_handler_t::replace) + "\n";

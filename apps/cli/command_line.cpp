@@ -20,6 +20,13 @@
 
 namespace mirrorball::cli {
 
+Result<glm::vec3> unitVector(const std::string& option, const std::vector<float>& numbers) {
+  // In double, in which no square of a float is 0 or infinite.
+  const glm::dvec3 vector(numbers[0], numbers[1], numbers[2]);
+  if (vector == glm::dvec3(0.0)) return fail(ErrorCode::usage, option + " takes a vector that has a length, not 0,0,0");
+  return glm::vec3(glm::normalize(vector));
+}
+
 Result<void> useMemoryLimit(const OptionText& text, std::string_view written) {
   auto bytes = parseBytes(written);
   if (!bytes) return fail(ErrorCode::usage, std::string(text.name) + ": " + bytes.error().message);

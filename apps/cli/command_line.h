@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "cli/command.h"
 
 namespace mirrorball::cli {
@@ -13,6 +15,11 @@ namespace mirrorball::cli {
 /// returns  what is to be done
 /// errors   usage
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands);
+
+/// The unit vector along the three numbers of an option, which may be as small or as large as floats are.
+///
+/// errors   usage: all three are 0
+Result<glm::vec3> unitVector(const std::string& option, const std::vector<float>& numbers);
 
 /// errors   usage: no number of bytes (base/memory.h: parseBytes)
 Result<void> useMemoryLimit(const OptionText& text, std::string_view written);

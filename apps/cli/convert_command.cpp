@@ -87,11 +87,12 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {kMaxMemoryText, kMemoryLimitField<ConvertOptions>},
 });
 
-Resampling resamplingOf(const ConvertOptions& options) {
+/// errors   usage: the centre is no direction
+Result<Resampling> resamplingOf(const ConvertOptions& options) {
   Resampling resampling{.interpolation = options.filter, .source_from_target = sourceFromRotated(options.rotate_deg)};
   if (options.centre.empty()) return resampling;
-  const glm::vec3 centre(options.centre[0], options.centre[1], options.centre[2]);
-  resampling.source_from_target = centredOn(glm::normalize(centre)) * resampling.source_from_target;
+  MIRRORBALL_TRY(centre, unitVector("--centre", options.centre));
+  resampling.source_from_target = centredOn(centre) * resampling.source_from_target;
   return resampling;
 }
 
@@ -108,14 +109,12 @@ struct ConvertRequest {
 Result<void> settle(ConvertRequest& request) {
   const ConvertOptions& options = request.options;
   if (request.output.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
-  if (!options.centre.empty() &&
-      glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
-    return fail(ErrorCode::usage, "--centre takes a vector that has a length");
   FileConversion& conversion = request.conversion;
   request.output.file.is_one_file = isStandardOutputTaken();
   conversion.file = request.output.file;
   conversion.size = options.size;
-  conversion.resampling = resamplingOf(options);
+  MIRRORBALL_TRY(resampling, resamplingOf(options));
+  conversion.resampling = resampling;
   conversion.load.repair = options.repair;
   conversion.load.light = conversion.file.light;
   if (!options.to.empty()) {

@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -65,16 +64,8 @@ DirectionPlace placeOf(const Environment& environment, Projection projection, gl
   return found;
 }
 
-Result<glm::vec3> directionIn(const std::vector<float>& numbers) {
-  const glm::vec3 given(numbers[0], numbers[1], numbers[2]);
-  if (glm::length(given) == 0.0f || !std::isfinite(glm::length(given)))
-    return fail(ErrorCode::usage,
-                "--direction takes a vector that has a length; it was given '" + writeNumbers(numbers) + "'");
-  return given;
-}
-
-DirectionInfo directionInfo(const Environment& environment, glm::vec3 given) {
-  DirectionInfo info{.given = given, .unit = glm::normalize(given)};
+DirectionInfo directionInfo(const Environment& environment, glm::vec3 unit, const std::vector<float>& written) {
+  DirectionInfo info{.given = {written[0], written[1], written[2]}, .unit = unit};
   for (const Projection projection : kListed) info.places.push_back(placeOf(environment, projection, info.unit));
   info.radiance = environment.radiance(info.unit);
   return info;
@@ -89,7 +80,7 @@ Result<RadianceStatistics> statisticsOf(const Environment& environment) {
 
 /// What is known of an input.
 ///
-/// direction  that is asked for; with --json all is told, while another reader who asks for one wants no more
+/// direction  that is asked for, of length 1; with --json all is told, while another reader who asks for one wants no more
 Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions& how,
                          std::optional<glm::vec3> direction, const InfoOptions& options) {
   MIRRORBALL_TRY(table, brdfTableIn(input));
@@ -109,7 +100,7 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   const Metadata& said = map.loaded.metadata;
   if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
     map.harmonics = filamentHarmonicsIn(text->second);
-  if (direction) map.direction = directionInfo(map.loaded.environment, *direction);
+  if (direction) map.direction = directionInfo(map.loaded.environment, *direction, options.direction);
   if (!direction || options.json) {
     MIRRORBALL_TRY(statistics, statisticsOf(map.loaded.environment));
     map.statistics = statistics;
@@ -125,8 +116,8 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
   }
   std::optional<glm::vec3> direction;
   if (!options.direction.empty()) {
-    MIRRORBALL_TRY(given, directionIn(options.direction));
-    direction = given;
+    MIRRORBALL_TRY(unit, unitVector("--direction", options.direction));
+    direction = unit;
   }
   whenInterrupted(interruptedAmongMany(""));
   const bool is_one = inputs.size() == 1;

@@ -56,6 +56,9 @@ TEST_F(ConvertRotationTest, InfoFindsTheLightWhereItWasBrought) {
   const glm::vec3 before = radiance("map.exr --direction -0.84,0.23,0.49");
   EXPECT_GT(before.x, 0.1f);
   EXPECT_LT(glm::length(radiance("centred.exr --direction 0,0,1") - before), 4e-3f);
+  EXPECT_EQ(radiance("map.exr --direction -0.84e-30,0.23e-30,0.49e-30"), before) << "lengths do not matter";
+  succeed("convert map.exr --centre -0.84e25,0.23e25,0.49e25 -o far.exr");
+  EXPECT_LT(glm::length(radiance("far.exr --direction 0,0,1") - before), 4e-3f);
   EXPECT_GT(glm::length(radiance("centred.exr --direction -0.84,0.23,0.49") - before), 0.1f);
 }
 

@@ -87,7 +87,7 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {kMaxMemoryText, kMemoryLimitField<ConvertOptions>},
 });
 
-/// errors   usage: the centre is no direction
+/// errors   usage: the centre is 0,0,0
 Result<Resampling> resamplingOf(const ConvertOptions& options) {
   Resampling resampling{.interpolation = options.filter, .source_from_target = sourceFromRotated(options.rotate_deg)};
   if (options.centre.empty()) return resampling;

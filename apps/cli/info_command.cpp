@@ -80,7 +80,8 @@ Result<RadianceStatistics> statisticsOf(const Environment& environment) {
 
 /// What is known of an input.
 ///
-/// direction  that is asked for, of length 1; with --json all is told, while another reader who asks for one wants no more
+/// direction  that is asked for, of length 1; with --json all is printed, while another reader who asks for one wants
+///            no more
 Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions& how,
                          std::optional<glm::vec3> direction, const InfoOptions& options) {
   MIRRORBALL_TRY(table, brdfTableIn(input));

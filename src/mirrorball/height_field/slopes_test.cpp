@@ -154,6 +154,17 @@ TEST(Slopes, StopsWhenTold) {
   EXPECT_EQ(result.error().code, ErrorCode::interrupted);
 }
 
+TEST(Slopes, ProgressEndsAtItsTotal) {
+  std::size_t last = 0;
+  const auto progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 1000u);
+    last = done;
+    return true;
+  };
+  ASSERT_TRUE(normalsFromHeights(Image(4, 1000, 1), {}, progress));
+  EXPECT_EQ(last, 1000u);
+}
+
 TEST(SlopeFormulas, ANormalGivesItsSlopeBack) {
   for (const glm::vec2 slope : {glm::vec2(0.0f), {1.0f, -2.0f}, {-30.0f, 0.01f}}) {
     const glm::vec2 back = formula::slopeFromNormal(formula::normalFromSlope(slope));

@@ -115,17 +115,16 @@ lock() {
 
 # Whether the build calls its compiler through a compiler cache that is not installed any more.
 lacksLauncher() {
-  launcher=$(sed -n 's/^CMAKE_CXX_COMPILER_LAUNCHER:[^=]*=//p' "$build/CMakeCache.txt" 2>/dev/null)
+  launcher=$(sed -n 's/^CMAKE_CXX_COMPILER_LAUNCHER:[^=]*=//p' "$build/CMakeCache.txt")
   [ -n "$launcher" ] && ! command -v "${launcher%%;*}" >/dev/null
 }
 
 configureIfNeeded() {
   # A tree that was copied or moved brings a cache that names another folder.
   if [ -e "$build/CMakeCache.txt" ] &&
-    ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+    { ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" || lacksLauncher; }; then
     rm -f "$build/.configured" "$build/CMakeCache.txt"
   fi
-  if lacksLauncher; then rm -f "$build/.configured" "$build/CMakeCache.txt"; fi
   # Ninja runs CMake again by itself where a CMakeLists.txt has changed, but does not read the presets again.
   # Where a changed preset names another compiler than the cache, CMake would forget all that it says besides. A fresh
   # configuration compiles everything again, so otherwise the cache is kept.

@@ -179,7 +179,7 @@ Result<void> bakeOne(BakeRequest request) {
 Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string parent = request.options.output;
   if (isOneFile(parent)) return tl::unexpected<Error>(manyForOneFile(parent, inputs));
-  // With '/', by which the name of room.v2.hdr is a folder's, too.
+  // The '/' makes it a folder's name: of hall.v2.hdr, "hall.v2" alone would be that of a file with an extension.
   MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>("/"); }));
   request.options.output = folders.front();
   // What is wrong with the options is told once, before anything is made.

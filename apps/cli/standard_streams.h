@@ -12,7 +12,8 @@ namespace mirrorball::cli {
 /// first where it is none yet, so that it can be read from any place and more than once.
 ///
 /// inputs   names as the user gave them
-/// errors   usage (nothing is piped in: it is a terminal; more than one asks for it); io; too_large
+/// errors   usage (nothing is piped in: it is a terminal; more than one asks for it); io; bad_file (it begins neither
+///          as an image nor as a model); too_large: more than memoryLimit()
 Result<void> readStandardInput(const std::vector<std::string*>& inputs);
 
 /// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes a file in

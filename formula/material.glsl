@@ -35,6 +35,7 @@ struct Material {
   float clearcoat INITIALLY(0.0f);              // share of the surface that a clear coat of index 1.5 covers
   float clearcoat_roughness INITIALLY(0.0f);    // perceptual
   float clearcoat_normal_scale INITIALLY(1.0f); // strength of its normal map
+  float clearcoat_normal_zero INITIALLY(127.5f);// as normal_zero, of that map
   vec3 sheen_color INITIALLY(vec3(0.0f));       // reflectance of the fibres of cloth that lie on the surface
   float sheen_roughness INITIALLY(0.0f);        // perceptual
   float anisotropy INITIALLY(0.0f);             // how much rougher it is along its tangent than across it
@@ -45,6 +46,7 @@ struct Material {
   float iridescence_thickness INITIALLY(400.0f);          // nm, where its map is 1, or without one
   float alpha_cutoff INITIALLY(0.5f);
   float normal_scale INITIALLY(1.0f);           // strength of the normal map
+  float normal_zero INITIALLY(127.5f);          // of 255: what stands for 0 in the normal map (decodedNormal)
   float derivative_scale INITIALLY(1.0f);       // strength of the map of slopes
   float occlusion_strength INITIALLY(1.0f);     // of the occlusion map
 };

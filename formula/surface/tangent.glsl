@@ -62,18 +62,32 @@ FN vec2 anisotropyTurn(vec2 direction, float rotation) {
   return vec2(c * from.x - s * from.y, s * from.x + c * from.y);
 }
 
-// The normal of a tangent-space normal map's sample in [0, 1]³: glTF's convention, +Y up along the bitangent.
-FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 encoded, float scale) {
-  vec3 bent = encoded * 2.0f - 1.0f;
-  return normalize(bent.x * scale * tangent + bent.y * scale * bitangent + bent.z * n);
+// The normal that a normal map's sample stands for, of any length: 1 always stands for 1.
+//   encoded   a sample; codes as fractions of 255
+//   zero      the code that stands for 0: 127.5 in glTF 2.0 (3.9.3), whose map of 8 bits cannot hold it; 128 where
+//             programs write (128, 128, 255) for a flat surface; 0 where the map holds signed numbers
+FN vec3 decodedNormal(vec3 encoded, float zero) {
+  float least = zero / 255.0f;
+  return (encoded - vec3(least)) / (1.0f - least);
+}
+
+// The reverse.
+FN vec3 encodedNormal(vec3 normal, float zero) {
+  float least = zero / 255.0f;
+  return normal * (1.0f - least) + vec3(least);
+}
+
+// The unit normal of a decoded sample of a tangent-space normal map: +Y up along the bitangent, as in glTF.
+FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 mapped, float scale) {
+  return normalize(mapped.x * scale * tangent + mapped.y * scale * bitangent + mapped.z * n);
 }
 
 // The same in the frame that a vertex's tangent makes with the unit normal.
 //   tangent   the direction of growing u; w is the bitangent's sign (glTF 2.0, 3.7.2.1)
-FN vec3 mappedNormal(vec4 tangent, vec3 n, vec3 encoded, float scale) {
+FN vec3 mappedNormal(vec4 tangent, vec3 n, vec3 mapped, float scale) {
   vec3 along = vec3(tangent);
   vec3 t = normalize(along - n * dot(n, along));
-  return normalFromMap(t, cross(n, t) * tangent.w, n, encoded, scale);
+  return normalFromMap(t, cross(n, t) * tangent.w, n, mapped, scale);
 }
 
 // Mip levels of a normal map keep in alpha how unit normals spread whose mean is that long: 1 where they all agree. The
@@ -89,11 +103,11 @@ FN float spreadOfAlpha(float alpha, float scale) {
   return scale * scale * missing / max(1.0f - missing, 1e-3f);
 }
 
-// The normal of an object-space normal map's sample in [0, 1]³, in the world. Where the map holds no direction it is n.
+// The world's unit normal of a decoded sample of an object-space normal map. Where the map holds no direction it is n.
 //   world_from_normal   the object's normals to the world's, but for their lengths
 //   n                   unit, of the surface without the map
 //   scale               how far it turns from there: 1 all of the way
-FN vec3 objectMappedNormal(mat3 world_from_normal, vec3 n, vec3 encoded, float scale) {
-  vec3 bent = world_from_normal * (encoded * 2.0f - 1.0f);
+FN vec3 objectMappedNormal(mat3 world_from_normal, vec3 n, vec3 mapped, float scale) {
+  vec3 bent = world_from_normal * mapped;
   return dot(bent, bent) > 1e-12f ? normalize(mix(n, normalize(bent), scale)) : n;
 }

@@ -91,8 +91,7 @@ TEST(Tangent, SlopesTellTheNormalsOfANormalMap) {
   for (const float right : {-3.0f, 1e-4f, 1e5f})
     for (const float down : {-2.0f, 1.0f, 7.0f}) {
       const vec3 p_u(right, 0.0f, 0.0f), p_v(0.0f, -down, 0.0f);
-      const vec3 mapped =
-          normalFromMap(normalize(p_u), -normalize(p_v), n, vec3(-slope.x, slope.y, 1.0f) * 0.5f + vec3(0.5f), 1.0f);
+      const vec3 mapped = normalFromMap(normalize(p_u), -normalize(p_v), n, vec3(-slope.x, slope.y, 1.0f), 1.0f);
       EXPECT_LT(distance(slopedNormal(p_u, p_v, n, slope), mapped), 1e-6f) << right << ", " << down;
       // What leans towards n counts only across it.
       EXPECT_LT(distance(slopedNormal(p_u + 0.5f * right * n, p_v, n, slope), mapped), 1e-6f);
@@ -104,11 +103,11 @@ TEST(Tangent, SlopesTellTheNormalsOfANormalMap) {
 TEST(Tangent, ObjectSpaceNormalsTurnAndKeepTheSurfaceWhereTheyAreNone) {
   const vec3 n(0.0f, 0.0f, 1.0f);
   const mat3 wide(vec3(0.5f, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
-  const vec3 encoded = vec3(0.6f, 0.0f, 0.8f) * 0.5f + vec3(0.5f);
-  EXPECT_LT(distance(objectMappedNormal(wide, n, encoded, 1.0f), normalize(vec3(0.3f, 0.0f, 0.8f))), 1e-6f);
-  EXPECT_LT(distance(objectMappedNormal(wide, n, encoded, 0.0f), n), 1e-6f);
-  EXPECT_EQ(objectMappedNormal(wide, n, vec3(0.5f), 1.0f), n);
-  EXPECT_LT(objectMappedNormal(wide, n, encoded, -1.0f).x, 0.0f);
+  const vec3 mapped(0.6f, 0.0f, 0.8f);
+  EXPECT_LT(distance(objectMappedNormal(wide, n, mapped, 1.0f), normalize(vec3(0.3f, 0.0f, 0.8f))), 1e-6f);
+  EXPECT_LT(distance(objectMappedNormal(wide, n, mapped, 0.0f), n), 1e-6f);
+  EXPECT_EQ(objectMappedNormal(wide, n, vec3(0.0f), 1.0f), n);
+  EXPECT_LT(objectMappedNormal(wide, n, mapped, -1.0f).x, 0.0f);
 }
 
 // However u and v run, and the more exact the lower the bumps are.
@@ -141,10 +140,22 @@ TEST(Tangent, AnyTangentIsUnitAndOrthogonal) {
 }
 
 TEST(Tangent, AFlatNormalMapLeavesTheNormal) {
-  const vec3 n = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(0.5f, 0.5f, 1.0f), 1.0f);
+  const vec3 n = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(0, 0, 1), 1.0f);
   EXPECT_EQ(n, vec3(0, 0, 1));
-  const vec3 bent = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1.0f, 0.5f, 0.5f), 1.0f);
+  const vec3 bent = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 0, 0), 1.0f);
   EXPECT_NEAR(bent.x, 1.0f, 1e-6f) << "red points along the tangent";
+}
+
+// glTF's rule, that of programs which write 128 for 0, and signed numbers: each has its 0, and all the same 1.
+TEST(Tangent, ANormalMapIsDecodedByItsZero) {
+  const vec3 flat(128.0f / 255.0f, 128.0f / 255.0f, 1.0f);
+  EXPECT_NEAR(decodedNormal(flat, 127.5f).x, 1.0f / 255.0f, 1e-6f);
+  EXPECT_LT(distance(decodedNormal(flat, 128.0f), vec3(0, 0, 1)), 1e-7f);
+  EXPECT_EQ(decodedNormal(vec3(-0.25f, 0.5f, 1.0f), 0.0f), vec3(-0.25f, 0.5f, 1.0f));
+  for (const float zero : {0.0f, 127.5f, 128.0f}) {
+    const vec3 n(-0.6f, 0.0f, 0.8f);
+    EXPECT_LT(distance(decodedNormal(encodedNormal(n, zero), zero), n), 1e-6f) << zero;
+  }
 }
 
 // KHR_materials_specular: mix(min(f0 · color, 1), 1, (1 − cos θ)⁵) · specular.

@@ -71,6 +71,42 @@ Result<Image> decodeNumbersByMagic(Span bytes, const ProgressFunction& progress)
   return sharesOf(CodedPicture(std::move(codes)));
 }
 
+/// With alpha, which is 1 where there was none.
+Image withAlpha(Image image) {
+  if (image.channels() == 4) return image;
+  Image rgba = Image::withoutValues(image.width(), image.height(), 4);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      std::copy_n(&texel.x, 4, rgba.texel(x, y));
+    }
+  return rgba;
+}
+
+Result<Texels> decodeColorTextureByMagic(Span bytes) {
+  if (codecOfIntegers(bytes)) {
+    MIRRORBALL_TRY(codes, decodeTextureByMagic(bytes));
+    return Texels(std::move(codes));
+  }
+  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {}));
+  return Texels(withAlpha(std::move(decoded.image)));
+}
+
+Result<Texels> decodeDataTextureByMagic(Span bytes) {
+  const FormatCodec* codec = codecOfIntegers(bytes);
+  if (codec && codec->decode_codes) {
+    MIRRORBALL_TRY(codes, codec->decode_codes(bytes));
+    if (std::holds_alternative<Image8>(codes)) return Texels(textureOf(std::move(codes)));
+    return Texels(withAlpha(sharesOf(codes)));
+  }
+  if (codec) {
+    MIRRORBALL_TRY(codes, codec->decode_texture(bytes));
+    return Texels(std::move(codes));
+  }
+  MIRRORBALL_TRY(numbers, decodeNumbersByMagic(bytes, {}));
+  return Texels(withAlpha(std::move(numbers)));
+}
+
 Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options) {
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
   if (codec.encode) return codec.encode(image, options);
@@ -128,6 +164,14 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 
 Result<Image8> decodeTexture(Span bytes) {
   return withinMemory<Image8>([&] { return decodeTextureByMagic(bytes); });
+}
+
+Result<Texels> decodeColorTexture(Span bytes) {
+  return withinMemory<Texels>([&] { return decodeColorTextureByMagic(bytes); });
+}
+
+Result<Texels> decodeDataTexture(Span bytes) {
+  return withinMemory<Texels>([&] { return decodeDataTextureByMagic(bytes); });
 }
 
 Result<Image> decodeNumbers(Span bytes, const ProgressFunction& progress) {

@@ -102,6 +102,19 @@ Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 /// errors   as decodeImage's
 Result<Image> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
+/// Decodes a texture that shows colours: codes of sRGB as decodeTexture does, or linear light of a file that holds it.
+///
+/// returns  4 channels
+/// errors   as decodeImage's
+Result<Texels> decodeColorTexture(std::span<const std::uint8_t> bytes);
+
+/// Decodes a texture whose numbers are no colours: codes of 8 bits as decodeTexture does; finer ones, and floats, as
+/// decodeNumbers does.
+///
+/// returns  4 channels, alpha 1 where the file has none
+/// errors   as decodeImage's
+Result<Texels> decodeDataTexture(std::span<const std::uint8_t> bytes);
+
 /// Whether the bytes begin like a format of integers that decodeTexture takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);
 

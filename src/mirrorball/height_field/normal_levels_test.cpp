@@ -39,7 +39,7 @@ void expectNoSpread(const Image8& level) {
 
 TEST(NormalLevels, TheFirstLevelIsThePictureWithoutItsAlpha) {
   const Image8 map = mapOf(4, 2, [](int x, int y) { return glm::vec3(x, y, 3); });
-  const auto levels = normalLevels(map);
+  const auto levels = normalLevels(map, 127.5f);
   ASSERT_EQ(levels.size(), 3u);
   EXPECT_EQ(levels[1].width(), 2);
   EXPECT_EQ(levels[2].width(), 1);
@@ -51,7 +51,7 @@ TEST(NormalLevels, TheFirstLevelIsThePictureWithoutItsAlpha) {
 TEST(NormalLevels, FlatMapsHaveNoSpread) {
   for (int tilt = 0; tilt < 50; ++tilt) {
     const Image8 map = mapOf(8, 8, [tilt](int, int) { return glm::vec3(0.037f * float(tilt), -0.2f, 1.0f); });
-    for (const Image8& level : normalLevels(map)) expectNoSpread(level);
+    for (const Image8& level : normalLevels(map, 127.5f)) expectNoSpread(level);
   }
 }
 
@@ -59,8 +59,8 @@ TEST(NormalLevels, FlatMapsHaveNoSpread) {
 TEST(NormalLevels, WhatEightBitsScatterIsNoSpread) {
   const Image8 map =
       mapOf(64, 64, [](int x, int y) { return glm::vec3(2e-4f * float(x) + 0.1f, 3e-4f * float(y) - 0.2f, 1.0f); });
-  expectNoSpread(normalLevels(map)[1]);
-  expectNoSpread(normalLevels(map)[2]);
+  expectNoSpread(normalLevels(map, 127.5f)[1]);
+  expectNoSpread(normalLevels(map, 127.5f)[2]);
 }
 
 TEST(NormalLevels, KeepTheVarianceOfSlopes) {
@@ -68,7 +68,7 @@ TEST(NormalLevels, KeepTheVarianceOfSlopes) {
     const Image8 map = mapOf(16, 16, [slope](int x, int y) {
       return glm::vec3(x % 2 == 0 ? slope : -slope, y % 2 == 0 ? slope : -slope, 1.0f);
     });
-    const auto levels = normalLevels(map);
+    const auto levels = normalLevels(map, 127.5f);
     for (std::size_t level = 1; level < levels.size(); ++level) {
       // Along one direction; a normal's mean knows less of those that lie flat.
       const float variance = varianceOf(levels[level], 0, 0);
@@ -83,7 +83,7 @@ TEST(NormalLevels, TexelsWithoutADirectionDoNotCount) {
   for (int y = 0; y < 4; ++y)
     for (int x = 1; x < 4; ++x)
       for (int axis = 0; axis < 3; ++axis) map.texel(x, y)[axis] = 127;
-  const auto levels = normalLevels(map);
+  const auto levels = normalLevels(map, 127.5f);
   for (std::size_t level = 1; level < levels.size(); ++level) {
     expectNoSpread(levels[level]);
     EXPECT_LT(glm::distance(meanOf(levels[level], 0, 0), meanOf(map, 0, 0)), 0.01f);
@@ -95,13 +95,13 @@ TEST(NormalLevels, TexelsWithoutADirectionDoNotCount) {
 TEST(NormalLevels, LengthsDoNotCount) {
   Image8 map = mapOf(2, 1, [](int, int) { return glm::vec3(0.0f, 0.0f, 1.0f); });
   map.texel(1, 0)[2] = 192;
-  const auto levels = normalLevels(map);
+  const auto levels = normalLevels(map, 127.5f);
   expectNoSpread(levels[1]);
   EXPECT_GT(meanOf(levels[1], 0, 0).z, 0.99f);
 }
 
 TEST(NormalLevels, OddSizesEndInOneTexel) {
-  const auto levels = normalLevels(mapOf(5, 3, [](int, int) { return glm::vec3(0, 0, 1); }));
+  const auto levels = normalLevels(mapOf(5, 3, [](int, int) { return glm::vec3(0, 0, 1); }), 127.5f);
   ASSERT_EQ(levels.size(), 3u);
   EXPECT_EQ(levels[1].width(), 2);
   EXPECT_EQ(levels[1].height(), 1);

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -73,10 +76,23 @@ class ImageOf {
 using Image = ImageOf<float>;          ///< linear light
 using Image8 = ImageOf<std::uint8_t>;  ///< a picture or a texture, encoded
 
+/// What a texture holds: codes of 8 bits, or floats where 8 bits would not do.
+using Texels = std::variant<Image8, Image>;
+
 /// The first three channels of a texel; a grey image's one channel three times.
 inline glm::vec3 rgbAt(const Image& image, int x, int y) {
   const float* texel = image.texel(x, y);
   return image.channels() >= 3 ? glm::vec3(texel[0], texel[1], texel[2]) : glm::vec3(texel[0]);
+}
+
+/// Codes as fractions of the greatest one.
+template <typename Code>
+Image fractionsFromCodes(const ImageOf<Code>& codes) {
+  Image fractions = Image::withoutValues(codes.width(), codes.height(), codes.channels());
+  constexpr auto kGreatest = static_cast<float>(std::numeric_limits<Code>::max());
+  std::transform(codes.samples().begin(), codes.samples().end(), fractions.samples().begin(),
+                 [](Code code) { return static_cast<float>(code) / kGreatest; });
+  return fractions;
 }
 
 /// A texel as (r, g, b, a); alpha is 1 where the image has none.

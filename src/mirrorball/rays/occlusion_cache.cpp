@@ -45,7 +45,10 @@ void addMaterial(const Material& material, const SceneOcclusionSettings& setting
 std::string contentOf(const Texture& texture) {
   ContentHash hash;
   hash.add(texture.image.width());
-  hash.addAll(texture.image.samples());
+  if (texture.image.hasNumbers())
+    hash.addAll(texture.image.numbers().samples());
+  else
+    hash.addAll(texture.image.samples());
   hash.add(texture.srgb);
   hash.add(texture.wrap_s);
   hash.add(texture.wrap_t);

@@ -39,9 +39,8 @@ struct TextureMap {
 };
 glm::ivec2 mapSize(const TextureMap& map, int) { return {map.texture.image.width(), map.texture.image.height()}; }
 glm::vec4 fetchMap(const TextureMap& map, glm::ivec2 texel, int) {
-  const std::uint8_t* const stored = map.texture.image.texel(texel.x, texel.y);
-  const glm::vec4 light = glm::vec4(stored[0], stored[1], stored[2], stored[3]) / 255.0f;
-  return map.texture.srgb ? glm::vec4(formula::linearFromSrgb(glm::vec3(light)), light.w) : light;
+  const glm::vec4 stored = map.texture.image.at(texel.x, texel.y);
+  return map.texture.srgb ? glm::vec4(formula::linearFromSrgb(glm::vec3(stored)), stored.w) : stored;
 }
 
 /// A map of slopes as a formula reads it.
@@ -129,19 +128,20 @@ struct Turned {
 void setNormals(const Scene& scene, const Hit& hit, const Corners& corners, const Turned& turned, ReliefKind relief,
                 SurfacePoint& point) {
   const Material& material = materialOf(scene, hit.instance);
-  const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale, NormalSpace space) {
+  const auto bent = [&](glm::vec3 n, const TextureSlot& slot, float zero, float scale, NormalSpace space) {
     if (slot.texture < 0) return n;
-    const glm::vec3 encoded(sampleSlot(scene, slot, corners));
-    return space == NormalSpace::object ? formula::objectMappedNormal(turned.world_from_normal, n, encoded, scale)
-                                        : formula::mappedNormal(point.tangent, n, encoded, scale);
+    const glm::vec3 mapped = formula::decodedNormal(glm::vec3(sampleSlot(scene, slot, corners)), zero);
+    return space == NormalSpace::object ? formula::objectMappedNormal(turned.world_from_normal, n, mapped, scale)
+                                        : formula::mappedNormal(point.tangent, n, mapped, scale);
   };
   glm::vec3 n = glm::normalize(turned.world_from_normal * normalOfHeights(scene, hit, corners, relief));
   if (material.slope_texture >= 0 && !showsHeights(material, relief))
     n = sloped(scene, material, corners, turned.world_from_mesh, n);
-  point.normal = mapped(n, material.normal_map, material.normal_scale, material.normal_space);
+  point.normal = bent(n, material.normal_map, material.normal_zero, material.normal_scale, material.normal_space);
   if (material.clearcoat <= 0.0f) return;
-  point.coat_normal = mapped(glm::normalize(turned.world_from_normal * corners.at(&Vertex::normal)),
-                             material.clearcoat_normal_map, material.clearcoat_normal_scale, NormalSpace::tangent);
+  point.coat_normal =
+      bent(glm::normalize(turned.world_from_normal * corners.at(&Vertex::normal)), material.clearcoat_normal_map,
+           material.clearcoat_normal_zero, material.clearcoat_normal_scale, NormalSpace::tangent);
 }
 
 /// What glTF's extensions lay on the surface.

@@ -21,7 +21,7 @@ int rowsOf(const Scene& scene, const Material& material, const Mesh& mesh, std::
   const int of_vertices = alpha(0) == alpha(1) && alpha(0) == alpha(2) ? 1 : 8;
   const TextureSlot& slot = material.base_color_map;
   if (slot.texture < 0) return of_vertices;
-  const Image8& image = scene.textures[std::size_t(slot.texture)].image;
+  const SharedPicture& image = scene.textures[std::size_t(slot.texture)].image;
   float longest = static_cast<float>(of_vertices) * 1.5f;
   for (std::size_t side = 0; side < 3; ++side) {
     const auto uv = [&](std::size_t corner) {

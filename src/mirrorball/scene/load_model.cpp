@@ -16,6 +16,7 @@
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/closed_surface.h"
 #include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 #include "mirrorball/scene/mesh_file/obj.h"
 #include "mirrorball/scene/mesh_file/ply.h"
 #include "mirrorball/scene/mesh_file/stl.h"
@@ -215,6 +216,7 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
     if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
     MIRRORBALL_TRY(decoded, withName(name_or_path, format->decode(bytes, name_or_path, options)));
+    findNormalZeros(decoded, name_or_path);
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <numeric>
+#include <variant>
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/image_file.h"
@@ -12,25 +13,25 @@ namespace mirrorball {
 
 namespace {
 
-Result<Image8> decodeWithin(MemoryBudget& budget, EncodedPicture picture) {
+Result<Texels> decodeWithin(MemoryBudget& budget, const EncodedPicture& picture) {
   MemoryShare share(budget);
-  MIRRORBALL_TRY(image, decodeTexture(picture));
-  MIRRORBALL_TRY_VOID(share.keep(image.samples().size_bytes()));
+  MIRRORBALL_TRY(image, picture.shows_colors ? decodeColorTexture(picture.bytes) : decodeDataTexture(picture.bytes));
+  MIRRORBALL_TRY_VOID(share.keep(std::visit([](const auto& texels) { return texels.samples().size_bytes(); }, image)));
   return image;
 }
 
 }  // namespace
 
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
                                            const ProgressFunction& progress) {
-  std::vector<Result<Image8>> images(pictures.size());
+  std::vector<Result<Texels>> images(pictures.size());
   // The largest first, so that at the end no processor is left alone with one.
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return pictures[a].size() > pictures[b].size(); });
+                   [&](std::size_t a, std::size_t b) { return pictures[a].bytes.size() > pictures[b].bytes.size(); });
   std::size_t bytes = 0;
-  for (const EncodedPicture picture : pictures) bytes += picture.size();
+  for (const EncodedPicture& picture : pictures) bytes += picture.bytes.size();
   ProgressCounter counter(progress, bytes);
   std::atomic<std::size_t> next = 0;
   parallelFor(order.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -41,7 +42,7 @@ std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictu
         continue;
       }
       images[i] = decodeWithin(budget, pictures[i]);
-      counter.advance(pictures[i].size());
+      counter.advance(pictures[i].bytes.size());
     }
   });
   return images;

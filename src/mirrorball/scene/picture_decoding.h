@@ -12,16 +12,19 @@
 
 namespace mirrorball {
 
-/// A picture's bytes as they lie in a model's file or beside it.
-using EncodedPicture = std::span<const std::uint8_t>;
+/// A picture as it lies in a model's file or beside it.
+struct EncodedPicture {
+  std::span<const std::uint8_t> bytes;
+  bool shows_colors = false;  ///< what some material reads in it is a colour: codec.h: decodeColorTexture
+};
 
-/// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's
-/// loading time goes.
+/// Decodes pictures (codec/image_file.h: decodeColorTexture, decodeDataTexture), several at the same time: with large
+/// textures this is where a model's loading time goes.
 ///
 /// budget    from which the images' memory is taken, and that of decoding each while it lasts
 /// progress  counts bytes of pictures; may stop the rest
 /// returns   for each picture its image of 4 channels as stored, or why it cannot be read: interrupted, if it was not
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
                                            const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

@@ -90,7 +90,7 @@ TEST(NormalsInSpace, AreWhatTheShadersMakeOfTheMap) {
         return (1.0f - b.x - b.y) * corner(0).*member + b.x * corner(1).*member + b.y * corner(2).*member;
       };
       const glm::vec3 shaded =
-          formula::mappedNormal(mixed(&Vertex::tangent), glm::normalize(mixed(&Vertex::normal)), 0.5f * n + 0.5f, 1.0f);
+          formula::mappedNormal(mixed(&Vertex::tangent), glm::normalize(mixed(&Vertex::normal)), n, 1.0f);
       EXPECT_LT(degreesBetween(rgbAt(*object, x, y), shaded), 0.01f);
     }
   }

@@ -59,14 +59,7 @@ Image lightOf(const CodedPicture& picture, const TransferCurve& curve) {
 }
 
 Image sharesOf(const CodedPicture& picture) {
-  return std::visit(
-      []<typename Sample>(const ImageOf<Sample>& codes) {
-        Image shares = Image::withoutValues(codes.width(), codes.height(), codes.channels());
-        std::transform(codes.samples().begin(), codes.samples().end(), shares.samples().begin(),
-                       [](Sample code) { return static_cast<float>(code) / static_cast<float>(kMax<Sample>); });
-        return shares;
-      },
-      picture);
+  return std::visit([](const auto& codes) { return fractionsFromCodes(codes); }, picture);
 }
 
 Image8 textureOf(CodedPicture picture) {

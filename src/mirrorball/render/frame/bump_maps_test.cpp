@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "formula/surface.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/render_testing.h"
@@ -79,6 +80,43 @@ TEST_P(BumpMapsTest, HeightsNormalsAndSlopesShowTheSameHills) {
         farthest =
             std::max(farthest, glm::distance(rgbAt(image, x, y), mirrored(testing::normalOfPair(placeOf(x, y)))));
     EXPECT_LT(farthest, 2.0f * testing::toleranceOf(form)) << testing::nameOf(form);
+  }
+}
+
+// What is as gentle as the bowl of a mirror that people look into: 8 bits, with steps of half a degree, would show.
+TEST_P(BumpMapsTest, FineNormalMapsReflectWithinATwentiethOfADegree) {
+  constexpr float kTilt = 0.0192f;  // 1.1 degrees
+  constexpr float kGain = 10.0f;    // of light about +Z, so that half floats tell directions finely
+  const Environment slope(
+      [](glm::vec3 d) { return glm::vec3(0.5f + kGain * glm::vec2(d) / std::max(d.z, 0.5f), 0.5f); }, 128);
+  const auto normalAt = [](glm::vec2 uv) {
+    const glm::vec2 angle = glm::two_pi<float>() * uv;
+    return glm::normalize(glm::vec3(kTilt * std::sin(angle.x), kTilt * std::cos(angle.y), 1.0f));
+  };
+  for (const float zero : {0.0f, 127.5f}) {
+    Image numbers(64, 64, 4, 1.0f);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const glm::vec3 stored = formula::encodedNormal(normalAt((glm::vec2(x, y) + 0.5f) / 64.0f), zero);
+        for (int channel = 0; channel < 3; ++channel) numbers.texel(x, y)[channel] = stored[channel];
+      }
+    Material material = bumpyMirror();
+    material.normal_zero = zero;
+    Scene scene = sceneOf(testing::mirroredPair(), material);
+    scene.textures.push_back({.image = std::move(numbers)});
+    scene.materials[0].normal_map.texture = 0;
+    const Image image = drawn(std::move(scene), {}, slope);
+    std::vector<float> degrees;
+    for (int y = 1; y < image.height() - 1; ++y)
+      for (int x = 1; x < image.width() / 2 - 1; ++x) {
+        const glm::vec3 n = normalAt(testing::uvOfPair(placeOf(x, y)));
+        const glm::vec3 right = glm::reflect(glm::vec3(0, 0, -1), glm::vec3(n.x, n.y, n.z));
+        const glm::vec2 shown = (glm::vec2(rgbAt(image, x, y)) - 0.5f) / kGain;
+        degrees.push_back(glm::degrees(glm::distance(shown, glm::vec2(right) / right.z)));
+      }
+    std::sort(degrees.begin(), degrees.end());
+    EXPECT_LT(degrees[degrees.size() / 2], 0.02f) << zero;
+    EXPECT_LT(degrees.back(), 0.05f) << zero;
   }
 }
 

@@ -23,11 +23,15 @@ bool mirrorsWithoutRays(const SceneTraits& traits) {
 
 bool hasStrongSun(const SceneTraits& traits) { return traits.has_strong_sun; }
 
+/// The classic techniques, at other values than those of a program that leaves them alone: they reflect the environment
+/// alone, and show triangles as they are, which cannot be cut.
+constexpr auto kClassicTechniques =
+    std::to_array<std::string_view>({"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur"});
 /// They say themselves what surfaces show in place of what is reflected.
 constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
     {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
-/// Triangles that are shown as they are cannot be cut, and large ones know too little.
-constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes", "reflect-at"});
+constexpr auto kOccludesOtherwise = std::to_array<std::string_view>(
+    {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "self-reflection", "probes"});
 /// How light is followed where not all of it is.
 constexpr auto kRefractsOtherwise = std::to_array<std::string_view>({"refraction"});
 
@@ -56,6 +60,16 @@ const auto kQualityOptions = std::to_array<Option<QualityRequest>>({
 
 bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::string_view>& given) {
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return given.contains(name); });
+}
+
+/// Of the options that are given those that ask for something: a classic technique at its default asks for nothing, and
+/// no probes show nothing.
+std::set<std::string_view> sayingOtherwise(std::set<std::string_view> given, const FrameSettings& settings) {
+  for (const Option<FrameSettings>& option : frameOptions())
+    if (contains(kClassicTechniques, option.text.name) && written(option, settings) == written(option, FrameSettings()))
+      given.erase(option.text.name);
+  if (settings.probes == 0) given.erase("probes");
+  return given;
 }
 
 /// "{option:self-reflection}", "{option:behind} screen"
@@ -105,8 +119,7 @@ bool dependsOnSun(Quality quality, const std::set<std::string_view>& given, cons
 std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
                    FrameSettings& settings) {
   std::string chosen;
-  std::set<std::string_view> saying = given;
-  if (settings.probes == 0) saying.erase("probes");  // no probes show nothing
+  const std::set<std::string_view> saying = sayingOtherwise(given, settings);
   for (const QualityChoice& choice : kChoices) {
     const std::string_view value = choice.values[static_cast<std::size_t>(quality)];
     if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, saying))

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
@@ -115,13 +116,35 @@ TEST(Quality, WhatIsGivenStays) {
   // A technique that is asked for is not hidden by another one.
   FrameSettings with_probes;
   with_probes.probes = FrameSettings::kAutoProbes;
-  for (const std::string_view technique : {"mapping", "texgen", "probes", "reflect-at", "occlusion"})
+  for (const std::string_view technique : {"probes", "occlusion"})
     EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}, with_probes).self_reflection) << technique;
   EXPECT_TRUE(filledIn(Quality::good, kNeedsAll, {"probes"}).self_reflection) << "--probes 0";
   SceneTraits without_rays = kNeedsAll;
   without_rays.can_trace_rays = false;
   EXPECT_EQ(filledIn(Quality::best, without_rays, {"probes"}).probe_bounces, FrameSettings().probe_bounces);
-  EXPECT_EQ(filledIn(Quality::good, kNeedsAll, {"reflect-at"}).occlusion, OcclusionKind::none);
+}
+
+// The lectures' techniques reflect the environment alone, on rough surfaces too, unless more is asked for.
+TEST(Quality, ClassicTechniquesReflectTheEnvironmentAlone) {
+  for (const auto& [name, value] : std::initializer_list<std::pair<std::string_view, std::string_view>>{
+           {"mapping", "sphere"},
+           {"reflect-at", "triangle"},
+           {"texgen", "reflection"},
+           {"texture-matrix", "2,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"},
+           {"lookup", "flat"},
+           {"blur", "mip"}}) {
+    const auto option = findBy(frameOptions(), name, [](const auto& each) { return each.text.name; });
+    ASSERT_NE(option, frameOptions().end()) << name;
+    FrameSettings asked;
+    ASSERT_TRUE(assign(*option, asked, value)) << name << " " << value;
+    const FrameSettings filled = filledIn(Quality::good, kNeedsAll, {name}, asked);
+    EXPECT_EQ(filled.occlusion, OcclusionKind::none) << name;
+    EXPECT_FALSE(filled.self_reflection) << name;
+    const FrameSettings usual = filledIn(Quality::good, kNeedsAll, {name});
+    EXPECT_EQ(usual, filledIn(Quality::good, kNeedsAll)) << name << " at its default asks for nothing";
+    asked.occlusion = OcclusionKind::vertex;
+    EXPECT_EQ(filledIn(Quality::good, kNeedsAll, {name, "occlusion"}, asked).occlusion, OcclusionKind::vertex) << name;
+  }
 }
 
 TEST(Quality, SaysWhatItChose) {

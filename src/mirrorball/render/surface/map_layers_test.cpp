@@ -39,11 +39,14 @@ Texture noise(int width, int height, unsigned seed) {
 }
 
 /// A texture of its own for each map, no two alike in size or in how they are read.
-void giveEveryMapATexture(Scene& scene, float repeats) {
+///
+/// with_numbers   every other one that is no colour holds floats
+void giveEveryMapATexture(Scene& scene, float repeats, bool with_numbers = false) {
   for (std::size_t row = 0; row < materialMaps().size(); ++row) {
     const auto number = static_cast<int>(row);
     Texture texture = noise(3 + 5 * number % 16, 2 + 7 * number % 13, static_cast<unsigned>(row));
     texture.srgb = materialMaps()[row].srgb;
+    if (with_numbers && !texture.srgb && number % 2 == 0) texture.image = fractionsFromCodes(texture.image.codes());
     texture.nearest = number % 4 == 1;
     texture.wrap_s = static_cast<Wrap>(number % 3);
     texture.wrap_t = static_cast<Wrap>(number / 3 % 3);
@@ -134,15 +137,35 @@ MIRRORBALL_WITH_BOTH_APIS(MapLayersTest);
 TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
   auto drawing = Drawing::make(GetParam(), context().filtersFloats());
   ASSERT_TRUE(drawing) << drawing.error().message;
-  for (const float repeats : {1.5f, 40.0f}) {
-    Scene scene = sceneOf(sphereMesh(), everything());
-    giveEveryMapATexture(scene, repeats);
-    const auto alone = drawing->of(scene, kUnitsOfMaterial);
-    const auto in_layers = drawing->of(scene, 3);
-    ASSERT_TRUE(alone && in_layers);
-    const Difference difference = differenceOf(*alone, *in_layers);
-    EXPECT_LT(difference.mean, 2e-3f) << repeats << " times around";
-    EXPECT_LT(difference.of_most, 0.02f) << repeats << " times around";
+  for (const float repeats : {1.5f, 40.0f})
+    for (const bool with_numbers : {false, true}) {
+      Scene scene = sceneOf(sphereMesh(), everything());
+      giveEveryMapATexture(scene, repeats, with_numbers);
+      const auto alone = drawing->of(scene, kUnitsOfMaterial);
+      const auto in_layers = drawing->of(scene, 3);
+      ASSERT_TRUE(alone && in_layers);
+      const Difference difference = differenceOf(*alone, *in_layers);
+      EXPECT_LT(difference.mean, 2e-3f) << repeats << " times around";
+      EXPECT_LT(difference.of_most, 0.02f) << repeats << " times around";
+    }
+}
+
+// The same numbers, as codes or as floats, look the same.
+TEST_P(MapLayersTest, NumbersLookAsCodesDo) {
+  auto drawing = Drawing::make(GetParam(), context().filtersFloats());
+  ASSERT_TRUE(drawing) << drawing.error().message;
+  for (const int units : {kUnitsOfMaterial, 3}) {
+    std::vector<Image> images;
+    for (const bool with_numbers : {false, true}) {
+      Scene scene = sceneOf(sphereMesh(), everything());
+      giveEveryMapATexture(scene, 1.5f, with_numbers);
+      auto image = drawing->of(scene, units);
+      ASSERT_TRUE(image);
+      images.push_back(std::move(*image));
+    }
+    const Difference difference = differenceOf(images[0], images[1]);
+    EXPECT_LT(difference.mean, 2e-3f) << units << " units";
+    EXPECT_LT(difference.of_most, 0.02f) << units << " units";
   }
 }
 

@@ -14,9 +14,10 @@ namespace mirrorball {
 
 /// What tells the content of one texture of a scene from that of another: how it wraps is its sampler's.
 struct MapContent {
-  const Image8* picture = nullptr;
+  const void* picture = nullptr;  ///< SharedPicture::identity()
   bool srgb = false;
   bool holds_normals = false;  ///< and nothing else
+  float zero = 0.0f;           ///< of normals: MaterialMap::zero of the first material that has them
 
   auto operator<=>(const MapContent&) const = default;
 };
@@ -24,15 +25,16 @@ struct MapContent {
 /// The mip levels of a texture.
 struct MapLevels {
   SharedPicture picture;     ///< that they are made from, which stays as long as they do
-  std::vector<Image8> made;  ///< the last of them: all but the texture's own image, or with spreads all
-  bool has_spread = false;   ///< normalLevels()
+  std::vector<Texels> made;  ///< the last of them: all but the texture's own image, or with spreads all
+  bool has_spread = false;   ///< normalLevels(), or of numbers decodedNormalLevels()
 
-  /// upload(level, image) for each of them.
+  /// upload(level, image) for each of them, each an Image8 or an Image.
   template <typename Upload>
   void forEach(const Upload& upload) const {
     int level = 0;
-    if (!has_spread) upload(level++, static_cast<const Image8&>(picture));
-    for (const Image8& image : made) upload(level++, image);
+    if (!has_spread && picture.hasNumbers()) upload(level++, picture.numbers());
+    if (!has_spread && !picture.hasNumbers()) upload(level++, picture.codes());
+    for (const Texels& texels : made) std::visit([&](const auto& image) { upload(level++, image); }, texels);
   }
 };
 

@@ -26,7 +26,7 @@ std::vector<MapSource> mapSources(const Material& material, std::span<const Text
   std::size_t alone = different.size();
   if (const auto has = static_cast<std::size_t>(units); different.size() > has) {
     // All layers of an array are as large as its largest.
-    const auto texels = [&](int texture) { return textures[std::size_t(texture)].image.samples().size(); };
+    const auto texels = [&](int texture) { return textures[std::size_t(texture)].image.texelCount(); };
     sortDownBy(different, texels);
     alone = has - 1;
   }
@@ -46,10 +46,6 @@ std::vector<MapSource> mapSources(const Material& material, std::span<const Text
     source.wrap_t = texture.wrap_t;
   }
   return sources;
-}
-
-bool isNormalMap(const MaterialMap& map) {
-  return map.slot == &Material::normal_map || map.slot == &Material::clearcoat_normal_map;
 }
 
 std::string_view samplerName(std::span<const MapSource> sources, std::size_t row) {

@@ -23,6 +23,7 @@ struct MapSource {
   Wrap wrap_t = Wrap::repeat;
 
   bool has_spread = false;  ///< a normal map whose alpha is that of height_field/normal_levels.h
+  bool is_decoded = false;  ///< and whose texels are the normals themselves
 
   auto operator<=>(const MapSource&) const = default;
 };
@@ -34,9 +35,6 @@ struct MapSource {
 /// units    that the material has: at least 1
 /// returns  one source for each row of materialMaps()
 std::vector<MapSource> mapSources(const Material& material, std::span<const Texture> textures, int units);
-
-/// Whether a row's texture holds normals.
-bool isNormalMap(const MaterialMap& map);
 
 /// The sampler that a row with a texture reads: that of the first row with the same unit, or of all layers.
 std::string_view samplerName(std::span<const MapSource> sources, std::size_t row);

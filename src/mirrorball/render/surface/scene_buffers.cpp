@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -42,25 +43,34 @@ std::size_t textureOf(const Material& material, std::size_t row) {
 }
 
 Result<gl::Texture> makeTexture(const Texture& texture, const MapLevels& levels) {
-  const gl::Format format = texture.srgb ? gl::Format::srgb8_alpha8 : gl::Format::rgba8;
+  const gl::Format format = texture.image.hasNumbers() ? gl::Format::rgba16f
+                            : texture.srgb             ? gl::Format::srgb8_alpha8
+                                                       : gl::Format::rgba8;
   MIRRORBALL_TRY(made,
                  gl::Texture::make2d(format, texture.image.width(), texture.image.height(), gl::Texture::kAllLevels));
-  levels.forEach([&made](int level, const Image8& image) { made.upload(level, 0, image); });
+  levels.forEach([&made](int level, const auto& image) { made.upload(level, 0, image); });
   return Result<gl::Texture>(std::move(made));
 }
 
-/// The array of some textures.
+/// The array of some textures: of half floats if one of them holds numbers.
 ///
 /// contents   of its layers
 /// levels     of these
 Result<gl::Texture> makeLayers(const std::vector<MapContent>& contents, const LevelsOfMaps& levels) {
   glm::ivec2 size(0);
-  for (const MapContent& each : contents)
-    size = glm::max(size, glm::ivec2(each.picture->width(), each.picture->height()));
-  MIRRORBALL_TRY(array, gl::Texture::makeArray(gl::Format::rgba8, size.x, size.y, static_cast<int>(contents.size()),
-                                               gl::Texture::kAllLevels));
+  bool has_numbers = false;
+  for (const MapContent& each : contents) {
+    const SharedPicture& picture = levels.at(each)->picture;
+    size = glm::max(size, glm::ivec2(picture.width(), picture.height()));
+    has_numbers = has_numbers || picture.hasNumbers();
+  }
+  MIRRORBALL_TRY(array, gl::Texture::makeArray(has_numbers ? gl::Format::rgba16f : gl::Format::rgba8, size.x, size.y,
+                                               static_cast<int>(contents.size()), gl::Texture::kAllLevels));
   for (std::size_t layer = 0; layer < contents.size(); ++layer)
-    levels.at(contents[layer])->forEach([&](int level, const Image8& image) {
+    levels.at(contents[layer])->forEach([&](int level, const auto& image) {
+      if constexpr (std::is_same_v<decltype(image), const Image8&>) {
+        if (has_numbers) return array.upload(level, static_cast<int>(layer), fractionsFromCodes(image));
+      }
       array.upload(level, static_cast<int>(layer), image);
     });
   return Result<gl::Texture>(std::move(array));
@@ -172,7 +182,8 @@ std::vector<bool> SceneBuffers::addSources(const Scene& scene, const SentMaps& s
       if (sources[row].unit < 0) continue;
       rows.push_back(row);
       const auto index = textureOf(material, row);
-      sources[row].has_spread = isNormalMap(materialMaps()[row]) && contents_[index].holds_normals;
+      sources[row].has_spread = materialMaps()[row].holdsNormals() && contents_[index].holds_normals;
+      sources[row].is_decoded = sources[row].has_spread && scene.textures[index].image.hasNumbers();
       const bool is_sent = sources[row].layer >= 0 ? has_layers : sent.textures.contains(contents_[index]);
       if (!is_sent) needs_levels[index] = true;
     }

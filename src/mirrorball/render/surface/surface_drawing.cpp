@@ -23,7 +23,7 @@ void setExtents(gl::Program& program, const Scene& scene, const Material& materi
   for (std::size_t row = 0; row < sources.size(); ++row) {
     if (sources[row].layer < 0) continue;
     const MaterialMap& map = materialMaps()[row];
-    const Image8& image = scene.textures[std::size_t((material.*map.slot).texture)].image;
+    const SharedPicture& image = scene.textures[std::size_t((material.*map.slot).texture)].image;
     const int last_level = levelCount(std::max(image.width(), image.height())) - 1;
     program.set(std::string(map.name) + "_extent", glm::vec3(image.width(), image.height(), last_level));
   }

@@ -56,7 +56,7 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
 /// What a sample of a pixel sees of the mesh's coordinates: of normal maps as their spread is worked out, and where
 /// heights move the coordinates.
 std::string changesOfMesh(const SurfaceVariant& variant, std::size_t row) {
-  if (variant.has(Part::point, PointPart::raster) && !isNormalMap(materialMaps()[row])) return "";
+  if (variant.has(Part::point, PointPart::raster) && !materialMaps()[row].holdsNormals()) return "";
   const std::string arguments = "(point, " + std::to_string(row) + ")";
   return ofSample("mapAcross" + arguments, "mapDown" + arguments);
 }
@@ -83,7 +83,7 @@ MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const PictureFrom from = variant.coordinates.picture_from;
   if (!isPicture(row) || from == PictureFrom::mesh) {
     const MapReading reading = mapReading(variant.maps, row, of_mesh, changesOfMesh(variant, row));
-    return isNormalMap(materialMaps()[row]) && !variant.maps[row].has_spread ? withoutSpread(reading) : reading;
+    return materialMaps()[row].holdsNormals() && !variant.maps[row].has_spread ? withoutSpread(reading) : reading;
   }
   const std::string generated =
       from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";
@@ -92,6 +92,12 @@ MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   if (from == PictureFrom::projector)
     reading.expression = "mix(vec4(1.0), " + reading.expression + ", projectedShare(" + coordinates + "))";
   return reading;
+}
+
+/// The function that returns what stands for 0 in a normal map: `float normal_zero()`, as the parameter's name.
+std::string zeroText(const MapSource& source, const MaterialMap& map) {
+  const std::string name = std::string(map.name.substr(0, map.name.rfind('_'))) + "_zero";
+  return "float " + name + "() { return " + (source.is_decoded ? "0.0" : "material." + name) + "; }\n";
 }
 
 /// For each row of materialMaps() its function `vec4 base_color_map_at(SurfacePoint point)`: the texture where the
@@ -118,6 +124,7 @@ std::string mapsText(const SurfaceVariant& variant) {
     const MapReading reading = has_texture ? chosenReading(variant, row) : MapReading{"", absentValue(row)};
     text += reading.uniforms + "vec4 " + std::string(materialMaps()[row].name) + "_at(SurfacePoint point) { return " +
             reading.expression + "; }\n";
+    if (materialMaps()[row].holdsNormals()) text += zeroText(variant.maps[row], materialMaps()[row]);
   }
   return text;
 }

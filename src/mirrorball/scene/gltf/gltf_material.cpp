@@ -19,7 +19,7 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
     const std::string own = quoted("materials", std::size_t(index)) + ".";
     for (const MaterialMap& map : materialMaps()) {
       const std::optional<float> glossiness = map.slot == &Material::roughness_map ? source.glossiness : std::nullopt;
-      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map.srgb, glossiness, own + std::string(map.gltf)));
+      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map, glossiness, own + std::string(map.gltf)));
     }
   }
   scene_.materials.push_back(std::move(material));
@@ -27,15 +27,16 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
 }
 
 /// Turns the slot's index into glTF's textures into one into the scene's.
-Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness,
+Result<void> Materials::bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness,
                                     const std::string& key) {
   if (slot.texture == -1) return {};
-  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, srgb, glossiness, key + ".index"));
+  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, map, glossiness, key + ".index"));
   slot.texture = texture;
   return {};
 }
 
-Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> glossiness, const std::string& key) {
+Result<int> Materials::sceneTexture(int index, const MaterialMap& map, std::optional<float> glossiness,
+                                    const std::string& key) {
   MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "texture"));
   const Texture& source = file_.document.textures[std::size_t(index)];
   const std::string texture_key = quoted("textures", std::size_t(index));
@@ -47,7 +48,7 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
   }
   MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "image"));
   mirrorball::Texture texture;
-  texture.srgb = srgb;
+  texture.srgb = map.srgb;
   if (source.sampler != -1) {
     MIRRORBALL_TRY_VOID(
         checkIndex(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "sampler"));
@@ -58,10 +59,11 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
   }
   const int image = sameImage(source.image);
   const auto [known, is_new] = textures_.try_emplace(
-      {image, srgb, glossiness, texture.wrap_s, texture.wrap_t, texture.nearest}, int(scene_.textures.size()));
+      {image, map.srgb, map.holdsNormals(), glossiness, texture.wrap_s, texture.wrap_t, texture.nearest},
+      int(scene_.textures.size()));
   if (!is_new) return known->second;
   scene_.textures.push_back(std::move(texture));
-  planned_.push_back({image, glossiness});
+  planned_.push_back({image, map.srgb, useOf(map), glossiness});
   return known->second;
 }
 
@@ -98,44 +100,65 @@ Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
 namespace {
 
 /// Puts 1 − glossiness · alpha where a roughness map has it.
-void makeRoughness(Image8& image, float glossiness) {
-  const std::span<std::uint8_t> samples = image.samples();
+///
+/// greatest   sample, which stands for 1
+template <typename Sample, typename Round>
+void makeRoughness(ImageOf<Sample>& image, float glossiness, Sample greatest, const Round& round) {
+  const std::span<Sample> samples = image.samples();
   for (std::size_t i = 0; i + 3 < samples.size(); i += 4) {
     const float gloss = glossiness * static_cast<float>(samples[i + 3]);
-    samples[i] = samples[i + 2] = samples[i + 3] = 255;
-    samples[i + 1] = static_cast<std::uint8_t>(std::lround(255.0f - gloss));
+    samples[i] = samples[i + 2] = samples[i + 3] = greatest;
+    samples[i + 1] = round(static_cast<float>(greatest) - gloss);
   }
 }
 
+void makeRoughness(SharedPicture& picture, float glossiness) {
+  if (picture.hasNumbers())
+    makeRoughness(picture.editNumbers(), glossiness, 1.0f, [](float number) { return number; });
+  else
+    makeRoughness(picture.edit(), glossiness, std::uint8_t{255},
+                  [](float code) { return static_cast<std::uint8_t>(std::lround(code)); });
+}
+
 }  // namespace
+
+/// Gives a texture its picture: codes are shared, floats are its own, since what they are to be bounds them.
+Result<void> Materials::setPicture(std::size_t index, const SharedPicture& picture) {
+  mirrorball::Texture& texture = scene_.textures[index];
+  texture.image = picture;
+  if (picture.hasNumbers()) {
+    MIRRORBALL_TRY_VOID(file_.named.budget().take(picture.bytes()));
+    MIRRORBALL_TRY(changes, setTexels(picture.numbers(), planned_[index].use, texture));
+    for (const std::string& change : changes)
+      scene_.warnings.push_back(file_.name + ": " + quoted("images", std::size_t(planned_[index].image)) + " " +
+                                change);
+  }
+  if (planned_[index].glossiness) makeRoughness(texture.image, *planned_[index].glossiness);
+  return {};
+}
 
 Result<void> Materials::decodeTextures() {
   std::map<int, std::size_t> place;  // glTF image → which of `pictures`
   std::vector<EncodedPicture> pictures;
   for (const Planned& planned : planned_) {
-    if (!place.emplace(planned.image, pictures.size()).second) continue;
-    MIRRORBALL_TRY(bytes, encoded(planned.image));
-    pictures.push_back(bytes);
+    const auto [known, is_new] = place.emplace(planned.image, pictures.size());
+    if (is_new) {
+      MIRRORBALL_TRY(bytes, encoded(planned.image));
+      pictures.push_back({bytes});
+    }
+    if (planned.srgb) pictures[known->second].shows_colors = true;
   }
 
-  std::vector<Result<Image8>> decoded = decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1));
-  for (const Result<Image8>& picture : decoded)
+  std::vector<Result<Texels>> decoded = decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1));
+  for (const Result<Texels>& picture : decoded)
     if (!picture && picture.error().code == ErrorCode::interrupted) return tl::unexpected<Error>(picture.error());
-  for (const Planned& planned : planned_)
-    if (Result<Image8>& picture = decoded[place[planned.image]]; !picture)
-      return fail(withName(quoted("images", std::size_t(planned.image)), std::move(picture)));
-  std::vector<std::size_t> users(pictures.size(), 0);
-  for (const Planned& planned : planned_) ++users[place[planned.image]];
+  std::vector<SharedPicture> shared;
+  for (Result<Texels>& picture : decoded) shared.emplace_back(picture ? std::move(*picture) : Texels());
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const std::size_t picture = place[planned_[i].image];
-    const bool is_last = --users[picture] == 0;
-    if (!is_last)
-      MIRRORBALL_TRY_VOID(withName(quoted("images", std::size_t(planned_[i].image)),
-                                   file_.named.budget().take(decoded[picture]->samples().size_bytes())));
-    // The last texture that shows a picture takes it; those before it need a copy.
-    SharedPicture& image = scene_.textures[i].image;
-    image = is_last ? std::move(*decoded[picture]) : *decoded[picture];
-    if (planned_[i].glossiness) makeRoughness(image.edit(), *planned_[i].glossiness);
+    const std::string key = quoted("images", std::size_t(planned_[i].image));
+    if (!decoded[picture]) return fail(withName(key, std::move(decoded[picture])));
+    MIRRORBALL_TRY_VOID(withName(key, setPicture(i, shared[picture])));
   }
   storage_.clear();
   return {};

@@ -11,6 +11,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 #include "mirrorball/scene/picture_decoding.h"
 #include "mirrorball/scene/scene.h"
 
@@ -43,28 +44,34 @@ class Materials {
   /// A scene's texture that is still to be decoded.
   struct Planned {
     int image;  // of the file
+    bool srgb;
+    TextureUse use;  // the first one
     /// FileMaterial::glossiness, for a texture that is to hold roughness instead.
     std::optional<float> glossiness;
   };
 
-  Result<void> bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness, const std::string& key);
-  Result<int> sceneTexture(int texture, bool srgb, std::optional<float> glossiness, const std::string& key);
+  Result<void> bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness,
+                           const std::string& key);
+  Result<int> sceneTexture(int texture, const MaterialMap& map, std::optional<float> glossiness,
+                           const std::string& key);
   /// The first image that shows the same picture, as far as that is asked for.
   int sameImage(int image);
   int firstOfSameSource(int image);
   Result<std::span<const std::uint8_t>> encoded(int image);
+  Result<void> setPicture(std::size_t index, const SharedPicture& picture);
 
   const File& file_;
   Scene& scene_;
-  /// What a texture of the scene is made from: image, sRGB, glossiness, how it goes on beyond its edges, nearest.
-  using TextureUse = std::tuple<int, bool, std::optional<float>, Wrap, Wrap, bool>;
-  std::map<int, int> materials_;        // glTF index → scene index
-  std::map<TextureUse, int> textures_;  // → scene index
-  std::set<int> without_picture_;       // glTF textures that are left out
-  std::vector<Planned> planned_;        // by scene index
-  std::map<std::string, int> images_;   // file, data or view → the first image of it
-  std::map<int, int> same_image_;       // of each image that was asked for, sameImage
-  std::map<int, Bytes> storage_;        // of the images that lie in the JSON
+  /// What a texture of the scene is made from: image, sRGB, whether it holds normals, glossiness, how it goes on beyond
+  /// its edges, nearest.
+  using TextureSource = std::tuple<int, bool, bool, std::optional<float>, Wrap, Wrap, bool>;
+  std::map<int, int> materials_;           // glTF index → scene index
+  std::map<TextureSource, int> textures_;  // → scene index
+  std::set<int> without_picture_;          // glTF textures that are left out
+  std::vector<Planned> planned_;           // by scene index
+  std::map<std::string, int> images_;      // file, data or view → the first image of it
+  std::map<int, int> same_image_;          // of each image that was asked for, sameImage
+  std::map<int, Bytes> storage_;           // of the images that lie in the JSON
 };
 
 }  // namespace mirrorball::gltf

@@ -10,12 +10,14 @@
 #include <utility>
 #include <variant>
 
+#include "formula/color.h"
 #include "formula/surface.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/format_registry.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 
 namespace mirrorball::gltf {
 namespace {
@@ -90,19 +92,50 @@ bool hasPlace(const MaterialParameter& parameter, const Material& material) {
   return true;
 }
 
+/// Floats as codes of 8 bits, as glTF has them in a texture: colours sRGB-encoded, normals about 127.5.
+///
+/// zero   that the normals are encoded with
+Image8 codesOf(const mirrorball::Image& numbers, const MaterialMap& map, float zero) {
+  Image8 codes = Image8::withoutValues(numbers.width(), numbers.height(), 4);
+  for (std::size_t i = 0; i < numbers.samples().size(); i += 4) {
+    const float* const number = numbers.samples().data() + i;
+    glm::vec3 color(number[0], number[1], number[2]);
+    if (map.holdsNormals()) color = 0.5f + 0.5f * formula::decodedNormal(color, zero);
+    if (map.srgb) color = formula::srgbFromLinear(color);
+    const glm::vec4 rounded = glm::round(255.0f * glm::clamp(glm::vec4(color, number[3]), 0.0f, 1.0f));
+    for (int channel = 0; channel < 4; ++channel)
+      codes.samples()[i + std::size_t(channel)] = static_cast<std::uint8_t>(rounded[channel]);
+  }
+  return codes;
+}
+
 class MaterialWriter {
  public:
   MaterialWriter(const Scene& scene, GlbBuilder& file, std::vector<std::string>& left_out)
-      : scene_(scene), file_(file), left_out_(left_out) {}
+      : scene_(scene), file_(file), left_out_(left_out), textures_(scene.textures) {}
 
   Result<void> write() {
+    roundNumbers();
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) writeMaterial(i);
     return writeTextures();
   }
 
  private:
+  /// Of the textures that the materials have.
+  void roundNumbers() {
+    for (const Material& material : scene_.materials)
+      for (const MaterialMap& map : materialMaps()) {
+        const int index = (material.*map.slot).texture;
+        if (index < 0 || !textures_[std::size_t(index)].image.hasNumbers()) continue;
+        SharedPicture& picture = textures_[std::size_t(index)].image;
+        picture = codesOf(picture.numbers(), map, map.holdsNormals() ? material.*map.zero : 0.0f);
+        left_out_.push_back(std::string(map.name) + ": what is finer than 8 bits is left out");
+      }
+  }
+
   void writeMaterial(std::size_t index) {
     Material material = scene_.materials[index];
+    forgetZeros(material);
     std::vector<std::string> lost = approximate(material);
     joinMetallicAndRoughness(material, lost);
     OutputJson json = OutputJson::object();
@@ -184,8 +217,8 @@ class MaterialWriter {
       metallic.texture = -1;
     }
     TextureSlot joined = roughness.texture >= 0 ? roughness : metallic;
-    const auto [place, is_new] = joined_.try_emplace({metallic.texture, roughness.texture},
-                                                     static_cast<int>(scene_.textures.size() + made_.size()));
+    const auto [place, is_new] =
+        joined_.try_emplace({metallic.texture, roughness.texture}, static_cast<int>(textures_.size() + made_.size()));
     if (is_new) made_.push_back(joinedTexture(metallic.texture, roughness.texture));
     joined.texture = place->second;
     metallic = roughness = joined;
@@ -210,7 +243,18 @@ class MaterialWriter {
   /// One of the scene's, or behind those one that was made here.
   const mirrorball::Texture& textureOf(int index) const {
     const auto place = std::size_t(index);
-    return place < scene_.textures.size() ? scene_.textures[place] : made_[place - scene_.textures.size()];
+    return place < textures_.size() ? textures_[place] : made_[place - textures_.size()];
+  }
+
+  /// What readers find themselves in a normal map, or find gone from one that had floats, is not lost.
+  void forgetZeros(Material& material) const {
+    for (const MaterialMap& map : materialMaps()) {
+      const int index = (material.*map.slot).texture;
+      if (!map.holdsNormals() || index < 0) continue;
+      const bool was_rounded = scene_.textures[std::size_t(index)].image.hasNumbers();
+      if (was_rounded || findNormalZero(textures_[std::size_t(index)].image) == material.*map.zero)
+        material.*map.zero = defaultMaterial().*map.zero;
+    }
   }
 
   std::size_t indexInFile(int texture) {
@@ -223,7 +267,7 @@ class MaterialWriter {
     std::vector<Result<Bytes>> pictures(used_.size());
     parallelFor(used_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Image8& image = textureOf(used_[i]).image;
+        const Image8& image = textureOf(used_[i]).image.codes();
         pictures[i] = encodePicture(ImageFormatId::png, isOpaque(image) ? withoutAlpha(image) : image, {});
       }
     });
@@ -253,6 +297,7 @@ class MaterialWriter {
   const Scene& scene_;
   GlbBuilder& file_;
   std::vector<std::string>& left_out_;
+  std::vector<mirrorball::Texture> textures_;  // the scene's, with codes
   std::deque<mirrorball::Texture> made_;
   std::map<std::pair<int, int>, int> joined_;  // textures of metallic and roughness → the one made of them
   std::map<int, std::size_t> index_in_file_;   // texture → place in used_

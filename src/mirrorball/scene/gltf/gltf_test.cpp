@@ -299,16 +299,16 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_EQ(color.rotation_rad, 1.5f);
   EXPECT_EQ(material.metallic_map.uv_set, 1);
   EXPECT_EQ(material.roughness_map.uv_set, 1);
-  EXPECT_EQ(material.occlusion_map.texture, material.normal_map.texture);
-  EXPECT_EQ(material.specular_map.texture, material.normal_map.texture);
+  EXPECT_EQ(material.specular_map.texture, material.occlusion_map.texture);
   EXPECT_EQ(material.specular_map.uv_set, 1);
-  ASSERT_EQ(scene.textures.size(), 4u);
+  ASSERT_EQ(scene.textures.size(), 5u) << "normals are filtered otherwise than numbers";
   const auto texture = [&](const TextureSlot& slot) { return scene.textures.at(std::size_t(slot.texture)); };
   EXPECT_TRUE(texture(color).srgb);
   EXPECT_TRUE(texture(color).nearest);
   EXPECT_EQ(texture(color).wrap_s, Wrap::clamp_to_edge);
   EXPECT_EQ(texture(color).wrap_t, Wrap::mirrored_repeat);
   EXPECT_FALSE(texture(material.normal_map).srgb);
+  EXPECT_TRUE(texture(material.normal_map).image.isSameAs(texture(material.occlusion_map).image));
   EXPECT_TRUE(texture(material.emission_map).srgb);
   EXPECT_FALSE(texture(material.transmission_map).srgb) << "the same picture, here as numbers";
   for (const Texture& each : scene.textures) {

@@ -99,7 +99,10 @@ struct MaterialMap {
   bool srgb;              ///< its colour channels are sRGB-encoded
   std::string_view gltf;  ///< "pbrMetallicRoughness.baseColorTexture"
   std::string_view help;
-  glm::vec4 absent{1.0f};  ///< what a material without this texture has everywhere
+  glm::vec4 absent{1.0f};                    ///< what a material without this texture has everywhere
+  float formula::Material::*zero = nullptr;  ///< of a normal map: the code that stands for 0; of others none
+
+  bool holdsNormals() const { return zero != nullptr; }
 };
 
 /// MaterialMap::absent of `anisotropy_map`: along the tangent, in full.

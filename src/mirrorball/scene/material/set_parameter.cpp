@@ -11,19 +11,20 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/material/builtin_picture.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 #include "mirrorball/scene/relief/slope_texture.h"
 
 namespace mirrorball {
 namespace {
 
 /// A built-in picture by its name, or that of a file, which then counts as read.
-Result<Image8> pictureOf(Scene& scene, const std::string& path) {
+Result<Texels> pictureOf(Scene& scene, const MaterialMap& map, const std::string& path) {
   const auto names = builtinPictureNames();
-  if (contains(names, path)) return builtinPicture(path);
+  if (contains(names, path)) return Texels(builtinPicture(path));
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
+  MIRRORBALL_TRY(texels, withName(path, map.srgb ? decodeColorTexture(bytes) : decodeDataTexture(bytes)));
   scene.files.push_back(path);
-  return image;
+  return Result<Texels>(std::move(texels));
 }
 
 Result<void> checkGiven(const std::string& name, const std::string& path) {
@@ -34,12 +35,16 @@ Result<void> checkGiven(const std::string& name, const std::string& path) {
 Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& path) {
   const std::string name(map.name);
   MIRRORBALL_TRY_VOID(checkGiven(name, path));
-  MIRRORBALL_TRY(image, pictureOf(scene, path));
+  MIRRORBALL_TRY(texels, pictureOf(scene, map, path));
+  Texture texture{.srgb = map.srgb};
+  MIRRORBALL_TRY(changes, withName(path, setTexels(std::move(texels), useOf(map), texture)));
+  for (const std::string& change : changes) scene.warnings.push_back(name + ": " + path + " " + change);
   if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
-  scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});
+  scene.textures.push_back(std::move(texture));
   for (Material& material : scene.materials)
     material.*map.slot = {.texture = static_cast<int>(scene.textures.size()) - 1};
+  if (map.holdsNormals()) findNormalZeros(scene, path);
   return {};
 }
 

@@ -51,6 +51,55 @@ std::string slopeFile(glm::vec3 texel) {
   return path;
 }
 
+// Numbers of 16 bits keep them; what is seen as a colour has 8 bits, and its alpha.
+TEST(SetParameter, DataMapsKeepSixteenBits) {
+  const std::string path = ::testing::TempDir() + "set_parameter_fine.ppm";
+  const std::string header = "P6 1 1 65535\n";
+  Bytes bytes(header.begin(), header.end());
+  for (const int code : {32768, 1000, 65535}) {
+    bytes.push_back(static_cast<std::uint8_t>(code >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(code & 255));
+  }
+  ASSERT_TRUE(writeFile(path, bytes));
+  for (const MaterialMap& map : materialMaps()) {
+    Scene scene = sceneOf(sphereMesh());
+    ASSERT_TRUE(setParameter(scene, std::string(map.name) + "=" + path)) << map.name;
+    const SharedPicture& picture = scene.textures.at(0).image;
+    ASSERT_EQ(picture.hasNumbers(), !map.srgb) << map.name;
+    const glm::vec4 exact = glm::vec4(32768, 1000, 65535, 65535) / 65535.0f;
+    EXPECT_LT(glm::distance(picture.at(0, 0), exact), map.srgb ? 3e-3f : 1e-6f) << map.name;
+    EXPECT_THAT(scene.warnings, ::testing::IsEmpty()) << map.name;
+  }
+}
+
+TEST(SetParameter, MapsOfFloatsAreReadAsTheyAre) {
+  MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
+  const std::string path = slopeFile({-0.6f, 0.0f, 0.8f});
+  Scene scene = sceneOf(sphereMesh());
+  ASSERT_TRUE(setParameter(scene, "normal_map=" + path));
+  EXPECT_EQ(scene.materials[0].normal_zero, 0.0f);
+  EXPECT_LT(glm::distance(scene.textures[0].image.at(0, 0), glm::vec4(-0.6f, 0.0f, 0.8f, 1.0f)), 1e-6f);
+  EXPECT_THAT(scene.warnings, ::testing::IsEmpty());
+  ASSERT_TRUE(setParameter(scene, "base_color_map=" + path));
+  EXPECT_FALSE(scene.textures[1].srgb);
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("outside of 0 to 1")));
+  ASSERT_TRUE(setParameter(scene, "emission_map=" + slopeFile({1.0f, 20.0f, 300.0f})));
+  EXPECT_LT(glm::distance(scene.textures[2].image.at(0, 0), glm::vec4(1.0f, 20.0f, 300.0f, 1.0f)), 1e-3f);
+}
+
+TEST(SetParameter, ANormalMapsZeroIsFoundAndSaidByHand) {
+  const std::string path = ::testing::TempDir() + "set_parameter_flat.png";
+  Image8 flat(2, 2, 3, 128);
+  for (std::size_t i = 2; i < flat.samples().size(); i += 3) flat.samples()[i] = 255;
+  ASSERT_TRUE(savePicture(path, flat));
+  Scene scene = sceneOf(sphereMesh());
+  ASSERT_TRUE(setParameter(scene, "normal_map=" + path));
+  EXPECT_EQ(scene.materials[0].normal_zero, 128.0f);
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normal_zero=127.5")));
+  ASSERT_TRUE(setParameter(scene, "normal_zero=127.5"));
+  EXPECT_EQ(scene.materials[0].normal_zero, 127.5f);
+}
+
 TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   Scene scene = sceneOf(sphereMesh());

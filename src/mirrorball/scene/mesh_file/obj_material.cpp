@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 #include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball {
@@ -24,15 +25,15 @@ std::string withSlashes(std::string name) {
 
 std::string inQuotes(const std::string& name) { return "'" + excerpt(name) + "'"; }
 
-/// Pictures that materials share are read once for each of the two ways to read their colours.
+/// Pictures that materials share are read once for each use.
 class Pictures {
  public:
   Pictures(ModelFiles& named, Scene& scene) : named_(named), scene_(scene) {}
 
   /// The texture's index in the scene, or −1 where there is none or it cannot be read.
-  int texture(const std::string& name, bool srgb) {
+  int texture(const std::string& name, TextureUse use) {
     if (name.empty()) return -1;
-    const auto [found, is_new] = textures_.try_emplace({name, srgb}, -1);
+    const auto [found, is_new] = textures_.try_emplace({name, use}, -1);
     if (!is_new) return found->second;
     const auto bytes = readNamed(named_, name);
     if (!bytes) {
@@ -40,36 +41,43 @@ class Pictures {
       return -1;
     }
     // Under another name it may be known already; what is read of one file lies in one place.
-    const auto [same, is_first] =
-        of_bytes_.try_emplace({bytes->data(), srgb}, static_cast<int>(scene_.textures.size()));
+    const auto [same, is_first] = of_bytes_.try_emplace({bytes->data(), use}, static_cast<int>(scene_.textures.size()));
     if (is_first) {
-      pending_.emplace_back(name, *bytes);
-      scene_.textures.emplace_back().srgb = srgb;
+      pending_.push_back({name, *bytes, use});
+      scene_.textures.emplace_back().srgb = use != TextureUse::normals;
     }
     return found->second = same->second;
   }
 
   void decode() {
     std::vector<EncodedPicture> encoded;
-    for (const auto& [name, bytes] : pending_) encoded.push_back(bytes);
-    std::vector<Result<Image8>> decoded = decodePictures(encoded, named_.budget());
+    for (const Pending& each : pending_) encoded.push_back({each.bytes, each.use != TextureUse::normals});
+    std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.budget());
     for (std::size_t i = 0; i < decoded.size(); ++i) {
-      if (decoded[i]) {
-        scene_.textures[i].image = std::move(*decoded[i]);
+      const std::string name = inQuotes(pending_[i].name);
+      const auto changes = decoded[i] ? setTexels(std::move(*decoded[i]), pending_[i].use, scene_.textures[i])
+                                      : Result<std::vector<std::string>>(fail(std::move(decoded[i])));
+      if (changes) {
+        for (const std::string& change : *changes) scene_.warnings.push_back(name + ": " + change);
       } else {
-        scene_.warnings.push_back(inQuotes(pending_[i].first) + ": " + decoded[i].error().message +
-                                  "; the material goes without it");
+        scene_.warnings.push_back(name + ": " + changes.error().message + "; the material goes without it");
         scene_.textures[i].image = Image8(1, 1, 4, 255);
       }
     }
   }
 
  private:
+  struct Pending {
+    std::string name;
+    std::span<const std::uint8_t> bytes;
+    TextureUse use;
+  };
+
   ModelFiles& named_;
   Scene& scene_;
-  std::map<std::pair<std::string, bool>, int> textures_;
-  std::map<std::pair<const std::uint8_t*, bool>, int> of_bytes_;
-  std::vector<std::pair<std::string, EncodedPicture>> pending_;
+  std::map<std::pair<std::string, TextureUse>, int> textures_;
+  std::map<std::pair<const std::uint8_t*, TextureUse>, int> of_bytes_;
+  std::vector<Pending> pending_;
 };
 
 Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vector<std::string>& warnings) {
@@ -91,9 +99,9 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
   const bool has_highlight = source.specular[0] > 0.0f || source.specular[1] > 0.0f || source.specular[2] > 0.0f;
   if (source.illum == kDiffuseWithoutHighlight && !has_highlight) material.specular = 0.0f;
 
-  material.base_color_map.texture = pictures.texture(source.diffuse_texname, true);
-  material.emission_map.texture = pictures.texture(source.emissive_texname, true);
-  material.normal_map.texture = pictures.texture(source.normal_texname, false);
+  material.base_color_map.texture = pictures.texture(source.diffuse_texname, TextureUse::factors);
+  material.emission_map.texture = pictures.texture(source.emissive_texname, TextureUse::light);
+  material.normal_map.texture = pictures.texture(source.normal_texname, TextureUse::normals);
   // Many programs write black beside a picture, which would hide it.
   if (material.base_color_map.texture >= 0 && material.base_color == glm::vec3(0.0f))
     material.base_color = glm::vec3(1.0f);

@@ -1,0 +1,146 @@
+#include "mirrorball/scene/material/texture_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <glm/glm.hpp>
+
+#include "formula/surface.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr float kGltfZero = 127.5f;
+constexpr float kSignedZero = 0.0f;
+constexpr float kGreatestHalf = 65504.0f;  // that a texture of half floats holds
+
+glm::vec3 normalAt(const Image& numbers, std::size_t texel, float zero) {
+  const float* const number = numbers.samples().data() + 4 * texel;
+  return formula::decodedNormal(glm::vec3(number[0], number[1], number[2]), zero);
+}
+
+/// The mean over all texels of what a cost says of the normal that they are with this zero.
+template <typename Cost>
+double meanCost(const Image& numbers, float zero, const Cost& cost) {
+  double sum = 0.0;
+  for (std::size_t texel = 0; texel < numbers.texelCount(); ++texel) sum += cost(normalAt(numbers, texel, zero));
+  return sum / static_cast<double>(numbers.texelCount());
+}
+
+/// That of the two kinds of floats at which the mean of `cost` is less.
+template <typename Cost>
+float cheaperZero(const Image& numbers, const Cost& cost) {
+  return meanCost(numbers, kSignedZero, cost) < meanCost(numbers, kGltfZero, cost) ? kSignedZero : kGltfZero;
+}
+
+bool hasBlue(const Image& numbers) {
+  for (std::size_t i = 2; i < numbers.samples().size(); i += 4)
+    if (numbers.samples()[i] != 0.0f) return true;
+  return false;
+}
+
+/// Gives normals of which a file keeps x and y alone their z.
+void addBlue(Image& numbers) {
+  const auto square = [](glm::vec3 n) { return n.x * n.x + n.y * n.y; };
+  const float zero = cheaperZero(numbers, [&](glm::vec3 n) { return std::max(double(square(n)) - 1.0, 0.0); });
+  for (std::size_t texel = 0; texel < numbers.texelCount(); ++texel) {
+    const float z = std::sqrt(std::max(1.0f - square(normalAt(numbers, texel, zero)), 0.0f));
+    numbers.samples()[4 * texel + 2] = formula::encodedNormal(glm::vec3(z), zero).z;
+  }
+}
+
+bool clampAll(Image& numbers, float greatest) {
+  bool was_outside = false;
+  for (float& number : numbers.samples()) {
+    const float clamped = std::clamp(number, 0.0f, greatest);
+    was_outside = was_outside || clamped != number;
+    number = clamped;
+  }
+  return was_outside;
+}
+
+/// Makes floats fit for a texture.
+///
+/// returns  what was changed
+/// errors   non_finite
+Result<std::vector<std::string>> fit(Image& numbers, TextureUse use) {
+  std::vector<std::string> changes;
+  if (const NonFinite bad = findNonFinite(numbers); bad.count > 0) {
+    MIRRORBALL_TRY_VOID(repairNonFinite(numbers));
+    changes.push_back("has numbers that are not finite (" + textOf(bad) + "), for which their neighbours' mean stands");
+  }
+  if (use == TextureUse::normals) {
+    if (hasBlue(numbers)) return changes;
+    addBlue(numbers);
+    changes.emplace_back("has no blue, which is taken to be that of normals of length 1");
+    return changes;
+  }
+  const bool is_light = use == TextureUse::light;
+  if (clampAll(numbers, is_light ? kGreatestHalf : 1.0f))
+    changes.emplace_back(is_light ? "has light outside of 0 to 65504, to which it is cut"
+                                  : "has numbers outside of 0 to 1, to which they are cut");
+  return changes;
+}
+
+/// Whether the most frequent texel is (128, 128, 255). Red and green are counted, and what blue they have in it.
+bool isFlatAt128(const Image8& codes) {
+  constexpr std::size_t kFlat = 128u * 256u + 128u;
+  std::vector<std::uint32_t> counts(256u * 256u, 0u);
+  std::uint32_t flat = 0;
+  const std::uint8_t* const samples = codes.samples().data();
+  for (std::size_t i = 0; i < codes.samples().size(); i += 4) {
+    const std::size_t red_green = samples[i] * std::size_t{256} + samples[i + 1];
+    ++counts[red_green];
+    if (red_green == kFlat && samples[i + 2] == 255) ++flat;
+  }
+  counts[kFlat] = flat;
+  return flat > 0 && *std::max_element(counts.begin(), counts.end()) == flat;
+}
+
+}  // namespace
+
+TextureUse useOf(const MaterialMap& map) {
+  if (map.holdsNormals()) return TextureUse::normals;
+  return map.slot == &Material::emission_map ? TextureUse::light : TextureUse::factors;
+}
+
+Result<std::vector<std::string>> setTexels(Texels texels, TextureUse use, Texture& texture) {
+  std::vector<std::string> changes;
+  if (auto* numbers = std::get_if<Image>(&texels)) {
+    MIRRORBALL_TRY(made, fit(*numbers, use));
+    changes = std::move(made);
+    texture.srgb = false;
+  }
+  texture.image = SharedPicture(std::move(texels));
+  return changes;
+}
+
+float findNormalZero(const SharedPicture& map) {
+  if (map.empty()) return kGltfZero;
+  if (!map.hasNumbers()) return isFlatAt128(map.codes()) ? 128.0f : kGltfZero;
+  return cheaperZero(map.numbers(), [](glm::vec3 n) { return std::abs(double(glm::length(n)) - 1.0); });
+}
+
+void findNormalZeros(Scene& scene, const std::string& name) {
+  std::map<int, float> zeros;
+  for (Material& material : scene.materials)
+    for (const MaterialMap& map : materialMaps()) {
+      const int texture = (material.*map.slot).texture;
+      if (!map.holdsNormals() || texture < 0) continue;
+      const auto [zero, is_new] = zeros.try_emplace(texture, 0.0f);
+      if (is_new) zero->second = findNormalZero(scene.textures[std::size_t(texture)].image);
+      material.*map.zero = zero->second;
+    }
+  const auto count = std::count_if(zeros.begin(), zeros.end(), [](const auto& each) { return each.second == 128.0f; });
+  if (count == 0) return;
+  const std::string maps = count == 1 ? "a normal map has" : std::to_string(count) + " normal maps have";
+  scene.warnings.push_back(name + ": " + maps +
+                           " most texels at 128 128 255, which is taken as flat; by glTF's rule it leans by 0.3 "
+                           "degrees (normal_zero=127.5)");
+}
+
+}  // namespace mirrorball

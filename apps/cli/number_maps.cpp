@@ -9,6 +9,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/material/texture_numbers.h"
 
 namespace mirrorball::cli {
 
@@ -25,14 +26,16 @@ void flipGreen(Image& normals) {
   for (std::size_t i = 1; i < normals.samples().size(); i += channels) normals.samples()[i] = -normals.samples()[i];
 }
 
-Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes) {
-  if (numbers.channels() < 3)
+Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(texels, decodeDataTexture(bytes, progressBar("reading " + shown(input))));
+  Texture texture;
+  MIRRORBALL_TRY(changes, setTexels(std::move(texels), TextureUse::normals, texture));
+  if (isGrey(texture.image))
     return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
-  const bool is_encoded =
-      holdsCodes(bytes) || (isImageSet(bytes) && *std::ranges::min_element(numbers.samples()) >= 0.0f);
-  if (is_encoded)
-    for (float& number : numbers.samples()) number = 2.0f * number - 1.0f;
-  return numbers;
+  for (const std::string& change : changes) remark(input + ": " + change);
+  const float zero = findNormalZero(texture.image);
+  if (zero == 128.0f) remark(input + ": most texels are 128 128 255, which is taken as flat");
+  return decodedNormals(texture.image, zero);
 }
 
 Image8 pictureOf(const MadeMap& map, const std::string& output) {

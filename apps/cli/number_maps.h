@@ -25,11 +25,12 @@ Result<ImageFormatId> numberFormat(const std::string& output);
 /// Turns the second of each texel's three numbers upside down.
 void flipGreen(Image& normals);
 
-/// Normals of a picture, signed. Integers, and textures without a number below 0, hold ½ + ½ n.
+/// Reads the normals of a picture, as signed numbers of 3 channels; what is odd about it is a remark.
 ///
-/// numbers  of decodeNumbers, from `bytes`
-/// errors   bad_shape: grey
-Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes);
+/// input    its name, for remarks
+/// bytes    of its file
+/// errors   bad_shape: grey; as decodeDataTexture's
+Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes);
 
 /// The codes of 8 bits nearest to a map's numbers; says where some do not fit.
 Image8 pictureOf(const MadeMap& map, const std::string& output);

@@ -111,9 +111,11 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
     return withName(input, mapOfHeights(heights, options));
   }
   MIRRORBALL_TRY(bytes, readImageFile(input));
-  MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
-  if (!isOfNormals(options.to)) return withName(input, mapOfHeights(heightsOf(std::move(numbers), input), options));
-  MIRRORBALL_TRY(normals, withName(input, normalsOf(std::move(numbers), bytes)));
+  if (!isOfNormals(options.to)) {
+    MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
+    return withName(input, mapOfHeights(heightsOf(std::move(numbers), input), options));
+  }
+  MIRRORBALL_TRY(normals, withName(input, readNormals(input, bytes)));
   if (options.to != SurfaceMap::height) return normalsOfModel(std::move(normals), input, options);
   return withName(input, heightsOfNormals(std::move(normals), options));
 }

@@ -168,7 +168,9 @@ TEST_F(SurfaceTest, RefusesWithOneLine) {
   write("large.exr", Image(512, 512, 1));
   EXPECT_THAT(refuse(1, "surface large.exr --max-memory 2M -o normal.png"),
               AllOf(HasSubstr("raise --max-memory"), Not(HasSubstr("--size"))));
-  write("down.exr", Image(2, 2, 3, -1.0f));
+  Image down(2, 2, 3, -1.0f);
+  for (std::size_t red = 0; red < down.samples().size(); red += 3) down.samples()[red] = -0.5f;
+  write("down.exr", down);
   EXPECT_THAT(refuse(1, "surface down.exr --to height -o height.exr"), HasSubstr("(0, 0) does not point out"));
   EXPECT_THAT(refuse(1, "surface down.exr --to height --scale 0 -o height.exr"), HasSubstr("scale of 0"));
 }

@@ -92,7 +92,7 @@ Result<Texels> decodeColorTextureByMagic(Span bytes) {
   return Texels(withAlpha(std::move(decoded.image)));
 }
 
-Result<Texels> decodeDataTextureByMagic(Span bytes) {
+Result<Texels> decodeDataTextureByMagic(Span bytes, const ProgressFunction& progress) {
   const FormatCodec* codec = codecOfIntegers(bytes);
   if (codec && codec->decode_codes) {
     MIRRORBALL_TRY(codes, codec->decode_codes(bytes));
@@ -103,7 +103,7 @@ Result<Texels> decodeDataTextureByMagic(Span bytes) {
     MIRRORBALL_TRY(codes, codec->decode_texture(bytes));
     return Texels(std::move(codes));
   }
-  MIRRORBALL_TRY(numbers, decodeNumbersByMagic(bytes, {}));
+  MIRRORBALL_TRY(numbers, decodeNumbersByMagic(bytes, progress));
   return Texels(withAlpha(std::move(numbers)));
 }
 
@@ -170,8 +170,8 @@ Result<Texels> decodeColorTexture(Span bytes) {
   return withinMemory<Texels>([&] { return decodeColorTextureByMagic(bytes); });
 }
 
-Result<Texels> decodeDataTexture(Span bytes) {
-  return withinMemory<Texels>([&] { return decodeDataTextureByMagic(bytes); });
+Result<Texels> decodeDataTexture(Span bytes, const ProgressFunction& progress) {
+  return withinMemory<Texels>([&] { return decodeDataTextureByMagic(bytes, progress); });
 }
 
 Result<Image> decodeNumbers(Span bytes, const ProgressFunction& progress) {

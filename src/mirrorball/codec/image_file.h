@@ -113,7 +113,7 @@ Result<Texels> decodeColorTexture(std::span<const std::uint8_t> bytes);
 ///
 /// returns  4 channels, alpha 1 where the file has none
 /// errors   as decodeImage's
-Result<Texels> decodeDataTexture(std::span<const std::uint8_t> bytes);
+Result<Texels> decodeDataTexture(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
 /// Whether the bytes begin like a format of integers that decodeTexture takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);

@@ -1,15 +1,19 @@
 #include "mirrorball/codec/ldr/avif.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <avif/avif.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/ldr/av1_size.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/image/upright.h"
 
@@ -33,10 +37,21 @@ tl::unexpected<Error> avifFailure(avifResult result, std::size_t size) {
   }
 }
 
+/// The size that the file's AV1 data says it has; nothing where it cannot be told.
+std::optional<glm::uvec2> codedSize(const avifDecoder& decoder, Span bytes) {
+  avifExtent extent{};
+  if (avifDecoderNthImageMaxExtent(&decoder, 0, &extent) != AVIF_RESULT_OK) return std::nullopt;
+  if (extent.offset > bytes.size() || extent.size > bytes.size() - extent.offset) return std::nullopt;
+  return sizeInAv1(bytes.subspan(extent.offset, extent.size));
+}
+
 /// A decoder that has read what the file says of its picture.
-Result<AvifDecoder> parsedAvif(Span bytes) {
+///
+/// codec    that is to decode it
+Result<AvifDecoder> parsedAvif(Span bytes, avifCodecChoice codec = AVIF_CODEC_CHOICE_AUTO) {
   AvifDecoder decoder(avifDecoderCreate(), avifDecoderDestroy);
   if (!decoder) return fail(ErrorCode::too_large, "not enough memory to decode it");
+  decoder->codecChoice = codec;
   decoder->maxThreads = threadLimit();
   decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
   decoder->strictFlags = AVIF_STRICT_DISABLED;  // writers leave out what decoding does not need
@@ -50,7 +65,24 @@ Result<AvifDecoder> parsedAvif(Span bytes) {
   // libavif's own picture, and ours.
   const int sample_bytes = image.depth > 8 ? 4 : 2;
   MIRRORBALL_TRY_VOID(checkPictureMemory(int(image.width), int(image.height), 4, sample_bytes));
+  // The data may be larger than the file says, and takes memory before libavif compares them.
+  if (const auto coded = codedSize(*decoder, bytes)) {
+    MIRRORBALL_TRY_VOID(checkDimensions(coded->x, coded->y));
+    MIRRORBALL_TRY_VOID(checkPictureMemory(int(coded->x), int(coded->y), 4, sample_bytes));
+  }
+  const std::uint64_t texels = memoryLimit() / (4 * (sizeof(float) + std::uint64_t(sample_bytes)));
+  decoder->imageSizeLimit = static_cast<std::uint32_t>(std::min<std::uint64_t>(texels, AVIF_DEFAULT_IMAGE_SIZE_LIMIT));
   return decoder;
+}
+
+/// Whether libaom is to try what dav1d did not decode: dav1d 1.0 fails at more than 35,651,584 texels, which is where
+/// the levels of AV1 end. libaom takes whatever memory the data asks for, which must be no more than was checked.
+bool canBeTriedByAom(const avifDecoder& decoder, Span bytes) {
+  constexpr std::uint64_t kMostOfLevels = 35'651'584;
+  const avifImage& image = *decoder.image;
+  const bool is_large = std::uint64_t{image.width} * image.height > kMostOfLevels;
+  return is_large && !decoder.alphaPresent && codedSize(decoder, bytes) == glm::uvec2(image.width, image.height) &&
+         avifCodecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE) != nullptr;
 }
 
 /// HEIF turns a picture first, against the clock, and then mirrors it (ISO/IEC 23008-12:2017, 6.5.10 and 6.5.12).
@@ -78,11 +110,18 @@ Result<ImageOf<Sample>> codesOfAvif(const avifImage& image, int channels, std::s
   return uprightAvif(std::move(codes), image);
 }
 
-/// The picture of a decoder that has parsed the file. Alpha that is all opaque is there, too.
-Result<CodedPicture> pictureOf(avifDecoder& decoder, int max_depth, std::size_t size) {
-  const avifResult result = avifDecoderNextImage(&decoder);
-  if (result != AVIF_RESULT_OK) return avifFailure(result, size);
-  const avifImage& image = *decoder.image;
+/// The picture of a decoder that has parsed the file; it may give way to another one. Alpha that is all opaque is
+/// there, too.
+Result<CodedPicture> pictureOf(AvifDecoder& decoder, int max_depth, Span bytes) {
+  avifResult result = avifDecoderNextImage(decoder.get());
+  if (result == AVIF_RESULT_DECODE_COLOR_FAILED && canBeTriedByAom(*decoder, bytes)) {
+    MIRRORBALL_TRY(other, parsedAvif(bytes, AVIF_CODEC_CHOICE_AOM));
+    decoder = std::move(other);
+    result = avifDecoderNextImage(decoder.get());
+  }
+  if (result != AVIF_RESULT_OK) return avifFailure(result, bytes.size());
+  const std::size_t size = bytes.size();
+  const avifImage& image = *decoder->image;
   const int channels = image.alphaPlane != nullptr ? 4 : 3;
   if (image.depth <= 8 || max_depth <= 8) {
     MIRRORBALL_TRY(codes, codesOfAvif<std::uint8_t>(image, channels, size));
@@ -96,7 +135,7 @@ Result<CodedPicture> pictureOf(avifDecoder& decoder, int max_depth, std::size_t 
 
 Result<DecodedImage> decodeAvif(Span bytes) {
   MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  MIRRORBALL_TRY(picture, pictureOf(*decoder, 16, bytes.size()));
+  MIRRORBALL_TRY(picture, pictureOf(decoder, 16, bytes));
   const avifImage& image = *decoder->image;
   std::string format = "AVIF, " + std::to_string(image.depth) + " bits";
   if (image.icc.size > 0) {
@@ -115,13 +154,13 @@ Result<DecodedImage> decodeAvif(Span bytes) {
 
 Result<Image8> decodeAvifTexture(Span bytes) {
   MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  MIRRORBALL_TRY(picture, pictureOf(*decoder, 8, bytes.size()));
+  MIRRORBALL_TRY(picture, pictureOf(decoder, 8, bytes));
   return textureOf(std::move(picture));
 }
 
 Result<CodedPicture> decodeAvifCodes(Span bytes) {
   MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  return pictureOf(*decoder, 16, bytes.size());
+  return pictureOf(decoder, 16, bytes);
 }
 
 FormatCodec avifCodec() {

@@ -1,10 +1,15 @@
 #include "mirrorball/codec/ldr/avif.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/format_signature.h"
@@ -67,6 +72,52 @@ TEST(Avif, IsUpright) {
   const auto mirrored = decodeAvifTexture(avifOf(source, AvifForm{.mirrors = true}));
   ASSERT_TRUE(mirrored);
   EXPECT_EQ(mirrored->texel(0, 4)[1], source.texel(source.width() - 1, 4)[1]);
+}
+
+/// A grey picture.
+Bytes flatAvif(int side) {
+  const std::unique_ptr<avifImage, decltype(&avifImageDestroy)> image(
+      avifImageCreate(side, side, 8, AVIF_PIXEL_FORMAT_YUV400), avifImageDestroy);
+  avifImageAllocatePlanes(image.get(), AVIF_PLANES_YUV);
+  std::fill_n(image->yuvPlanes[0], std::size_t(image->yuvRowBytes[0]) * std::size_t(side), std::uint8_t{128});
+  const std::unique_ptr<avifEncoder, decltype(&avifEncoderDestroy)> encoder(avifEncoderCreate(), avifEncoderDestroy);
+  encoder->speed = AVIF_SPEED_FASTEST;
+  avifRWData output = AVIF_DATA_EMPTY;
+  EXPECT_EQ(avifEncoderWrite(encoder.get(), image.get(), &output), AVIF_RESULT_OK);
+  Bytes bytes(output.data, output.data + output.size);
+  avifRWDataFree(&output);
+  return bytes;
+}
+
+// Where the levels of AV1 end, dav1d gives up, and libaom goes on.
+TEST(AvifLarge, MayHaveMoreTexelsThanTheLevelsOfAv1) {
+  const auto texture = decodeAvifTexture(flatAvif(5984));
+  ASSERT_TRUE(texture) << texture.error().message;
+  EXPECT_EQ(texture->width(), 5984);
+  EXPECT_NEAR(texture->texel(5983, 5983)[0], 128, 1);
+}
+
+/// The file that says of its picture that it has another size than its data.
+Bytes sayingSize(Bytes bytes, std::uint8_t side) {
+  constexpr std::string_view kName = "ispe";
+  const auto box = std::search(bytes.begin(), bytes.end(), kName.begin(), kName.end());
+  EXPECT_NE(box, bytes.end());
+  const std::array<std::uint8_t, 8> size{0, 0, 0, side, 0, 0, 0, side};
+  std::copy(size.begin(), size.end(), box + 8);  // after the name and a version
+  return bytes;
+}
+
+TEST(Avif, DataThatIsLargerThanTheFileSaysTakesNoMoreMemory) {
+  const Bytes small = sayingSize(flatAvif(1024), 16);
+  const auto scaled = decodeAvif(small);
+  ASSERT_TRUE(scaled) << scaled.error().message;
+  EXPECT_EQ(scaled->image.width(), 16) << "libavif scales it";
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{8} << 20u);
+  const auto refused = decodeAvif(small);
+  setMemoryLimit(usual);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large) << refused.error().message;
 }
 
 TEST(Avif, OtherBoxesAreNone) {

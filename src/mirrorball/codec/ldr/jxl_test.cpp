@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/format_signature.h"
@@ -45,6 +46,26 @@ TEST(Jxl, SixteenBitsComeBackAsTheyAre) {
   const auto codes = decodeJxlCodes(jxlOf(source));
   ASSERT_TRUE(codes) << codes.error().message;
   EXPECT_THAT(std::get<ImageOf<std::uint16_t>>(*codes).samples(), ::testing::ElementsAreArray(source.samples()));
+}
+
+TEST(Jxl, EightBitsAreCodesOfEightBits) {
+  const auto codes = decodeJxlCodes(jxlOf(jxlPicture(3)));
+  ASSERT_TRUE(codes) << codes.error().message;
+  EXPECT_TRUE(std::holds_alternative<Image8>(*codes));
+}
+
+// libjxl decodes them all, though nobody asks for them.
+TEST(Jxl, ExtraChannelsCountAsMemory) {
+  const Image8 source(256, 256, 3, 100);
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{16} << 20u);
+  const auto plain = decodeJxl(jxlOf(source));
+  const auto refused = decodeJxl(jxlOf(source, JxlForm{.extra_channels = 32}));
+  setMemoryLimit(usual);
+  EXPECT_TRUE(plain) << plain.error().message;
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_TRUE(decodeJxl(jxlOf(source, JxlForm{.extra_channels = 32})));
 }
 
 // A sun of 1e5 beside black.

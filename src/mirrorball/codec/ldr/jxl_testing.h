@@ -17,7 +17,8 @@ struct JxlForm {
   JxlTransferFunction transfer = JXL_TRANSFER_FUNCTION_SRGB;
   JxlPrimaries primaries = JXL_PRIMARIES_SRGB;
   bool is_lossy = false;
-  int orientation = 1;  ///< as cameras number them
+  int orientation = 1;               ///< as cameras number them
+  std::uint32_t extra_channels = 0;  ///< beside alpha, all black
 };
 
 /// A picture of 3 or 4 channels.
@@ -41,12 +42,19 @@ Bytes jxlOf(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
     info.alpha_bits = info.bits_per_sample;
     info.alpha_exponent_bits = info.exponent_bits_per_sample;
   }
+  const std::uint32_t first_extra = info.num_extra_channels;
+  info.num_extra_channels += form.extra_channels;
   EXPECT_EQ(JxlEncoderSetBasicInfo(encoder.get(), &info), JXL_ENC_SUCCESS);
   JxlColorEncoding color;
   JxlColorEncodingSetToSRGB(&color, JXL_FALSE);
   color.transfer_function = form.transfer;
   color.primaries = form.primaries;
   EXPECT_EQ(JxlEncoderSetColorEncoding(encoder.get(), &color), JXL_ENC_SUCCESS);
+  for (std::uint32_t i = first_extra; i < info.num_extra_channels; ++i) {
+    JxlExtraChannelInfo extra;
+    JxlEncoderInitExtraChannelInfo(JXL_CHANNEL_OPTIONAL, &extra);
+    EXPECT_EQ(JxlEncoderSetExtraChannelInfo(encoder.get(), i, &extra), JXL_ENC_SUCCESS);
+  }
   JxlEncoderFrameSettings* settings = JxlEncoderFrameSettingsCreate(encoder.get(), nullptr);
   if (form.is_lossy)
     JxlEncoderSetFrameDistance(settings, 0.5f);
@@ -56,6 +64,11 @@ Bytes jxlOf(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
   const JxlPixelFormat format{channels, type, JXL_NATIVE_ENDIAN, 0};
   EXPECT_EQ(JxlEncoderAddImageFrame(settings, &format, picture.samples().data(), picture.samples().size_bytes()),
             JXL_ENC_SUCCESS);
+  const Image8 black(picture.width(), picture.height(), 1);
+  const JxlPixelFormat grey{1, JXL_TYPE_UINT8, JXL_NATIVE_ENDIAN, 0};
+  for (std::uint32_t i = first_extra; i < info.num_extra_channels; ++i)
+    EXPECT_EQ(JxlEncoderSetExtraChannelBuffer(settings, &grey, black.samples().data(), black.samples().size(), i),
+              JXL_ENC_SUCCESS);
   JxlEncoderCloseInput(encoder.get());
   Bytes bytes(1 << 20);
   std::uint8_t* next = bytes.data();

@@ -14,9 +14,10 @@
 namespace mirrorball {
 namespace {
 
+/// Turns triangles round, but for their last corners, which ReflectAt::triangle shows.
 void turnTriangles(Mesh& mesh) {
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3)
-    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+    std::swap(mesh.indices[first], mesh.indices[first + 1]);
 }
 
 void turnBitangents(Mesh& mesh) {

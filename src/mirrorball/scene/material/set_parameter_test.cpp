@@ -109,9 +109,13 @@ TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
   ASSERT_TRUE(setParameter(scene, "Derivative-Map=" + onePixel()));  // of 255, 100, 255
   EXPECT_EQ(scene.materials[0].slope_texture, 1);
   EXPECT_EQ(rgbAt(scene.slope_textures.at(1), 0, 0), glm::vec3(1.0f, 0.0f, 1.0f));
+  const std::string neutral = ::testing::TempDir() + "set_parameter_neutral.png";
+  ASSERT_TRUE(savePicture(neutral, Image8(1, 1, 3, 128)));
+  ASSERT_TRUE(setParameter(scene, "derivative_map=" + neutral));
+  EXPECT_EQ(rgbAt(scene.slope_textures.at(2), 0, 0), glm::vec3(0.0f)) << "as `surface --to derivative` writes 0";
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({1e30f, 7.0f, -1e30f})));
-  EXPECT_EQ(rgbAt(scene.slope_textures.at(2), 0, 0), glm::vec3(1e4f, 0.0f, -1e4f)) << "as steep as pictures show";
-  EXPECT_EQ(scene.files.size(), 3u);
+  EXPECT_EQ(rgbAt(scene.slope_textures.at(3), 0, 0), glm::vec3(1e4f, 0.0f, -1e4f)) << "as steep as pictures show";
+  EXPECT_EQ(scene.files.size(), 4u);
   ASSERT_TRUE(setParameter(scene, "derivative_map=none"));
   EXPECT_EQ(scene.materials[0].slope_texture, -1);
   EXPECT_TRUE(scene.warnings.empty());

@@ -10,11 +10,13 @@
 #include <glm/glm.hpp>
 
 #include "formula/surface.h"
+#include "mirrorball/image/neutral_code.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr float kGltfZero = 127.5f;
+constexpr float kNeutralCode = 128.0f;
 constexpr float kSignedZero = 0.0f;
 constexpr float kGreatestHalf = 65504.0f;  // that a texture of half floats holds
 
@@ -86,21 +88,6 @@ Result<std::vector<std::string>> fit(Image& numbers, TextureUse use) {
   return changes;
 }
 
-/// Whether the most frequent texel is (128, 128, 255). Red and green are counted, and what blue they have in it.
-bool isFlatAt128(const Image8& codes) {
-  constexpr std::size_t kFlat = 128u * 256u + 128u;
-  std::vector<std::uint32_t> counts(256u * 256u, 0u);
-  std::uint32_t flat = 0;
-  const std::uint8_t* const samples = codes.samples().data();
-  for (std::size_t i = 0; i < codes.samples().size(); i += 4) {
-    const std::size_t red_green = samples[i] * std::size_t{256} + samples[i + 1];
-    ++counts[red_green];
-    if (red_green == kFlat && samples[i + 2] == 255) ++flat;
-  }
-  counts[kFlat] = flat;
-  return flat > 0 && *std::max_element(counts.begin(), counts.end()) == flat;
-}
-
 }  // namespace
 
 TextureUse useOf(const MaterialMap& map) {
@@ -116,12 +103,35 @@ Result<std::vector<std::string>> setTexels(Texels texels, TextureUse use, Textur
     texture.srgb = false;
   }
   texture.image = SharedPicture(std::move(texels));
+  if (use == TextureUse::normals && isGrey(texture.image))
+    changes.emplace_back("is grey, as heights are and normals are not (for heights: height=FILE)");
   return changes;
+}
+
+bool isGrey(const SharedPicture& picture) {
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      if (const glm::vec4 texel = picture.at(x, y); texel.x != texel.y || texel.y != texel.z) return false;
+  return true;
+}
+
+Image decodedNormals(const SharedPicture& map, float zero) {
+  Image normals = Image::withoutValues(map.width(), map.height(), 3);
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x) {
+      const glm::vec3 normal = formula::decodedNormal(glm::vec3(map.at(x, y)), zero);
+      std::copy_n(&normal.x, 3, normals.texel(x, y));
+    }
+  return normals;
 }
 
 float findNormalZero(const SharedPicture& map) {
   if (map.empty()) return kGltfZero;
-  if (!map.hasNumbers()) return isFlatAt128(map.codes()) ? 128.0f : kGltfZero;
+  constexpr NeutralChannels kOfNormals{.first = 0, .second = 1, .greatest = 2};
+  const bool is_flat_at_128 =
+      map.hasNumbers() ? isNeutralAt128(map.numbers(), kOfNormals) : isNeutralAt128(map.codes(), kOfNormals);
+  if (is_flat_at_128) return kNeutralCode;
+  if (!map.hasNumbers()) return kGltfZero;
   return cheaperZero(map.numbers(), [](glm::vec3 n) { return std::abs(double(glm::length(n)) - 1.0); });
 }
 
@@ -135,7 +145,8 @@ void findNormalZeros(Scene& scene, const std::string& name) {
       if (is_new) zero->second = findNormalZero(scene.textures[std::size_t(texture)].image);
       material.*map.zero = zero->second;
     }
-  const auto count = std::count_if(zeros.begin(), zeros.end(), [](const auto& each) { return each.second == 128.0f; });
+  const auto count =
+      std::count_if(zeros.begin(), zeros.end(), [](const auto& each) { return each.second == kNeutralCode; });
   if (count == 0) return;
   const std::string maps = count == 1 ? "a normal map has" : std::to_string(count) + " normal maps have";
   scene.warnings.push_back(name + ": " + maps +

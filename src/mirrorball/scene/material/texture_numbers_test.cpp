@@ -50,6 +50,11 @@ TEST(NormalZero, OfCodesIs128WhereMostTexelsAreFlatThere) {
   EXPECT_EQ(findNormalZero(hardly), 127.5f) << "another texel is more frequent";
 }
 
+TEST(NormalZero, OfFloatsThatWereEightBitsIs128Too) {
+  EXPECT_EQ(findNormalZero(fractionsFromCodes(codes(4, {128, 128, 255}))), 128.0f);
+  EXPECT_EQ(findNormalZero(fractionsFromCodes(codes(4, {129, 128, 255}))), 127.5f);
+}
+
 TEST(NormalZero, OfFloatsIs0WhereTheyAreSigned) {
   for (const float slope : {0.0f, 0.02f, 1.5f}) {
     EXPECT_EQ(findNormalZero(numbers(slope, signedNumbers)), 0.0f) << slope;
@@ -95,6 +100,18 @@ TEST(TextureNumbers, AreCutToWhatTheyCanBe) {
   EXPECT_THAT(*setTexels(wild, TextureUse::normals, texture), ElementsAre(HasSubstr("not finite")));
   EXPECT_EQ(texture.image.at(0, 0).x, 0.5f) << "its neighbour's";
   EXPECT_FALSE(setTexels(Image(1, 1, 4, std::numeric_limits<float>::infinity()), TextureUse::normals, texture));
+}
+
+TEST(TextureNumbers, GreyNormalsAreTold) {
+  Texture texture;
+  EXPECT_THAT(*setTexels(codes(2, {90, 90, 90}), TextureUse::normals, texture), ElementsAre(HasSubstr("is grey")));
+  EXPECT_THAT(*setTexels(codes(2, {90, 90, 90}), TextureUse::factors, texture), IsEmpty());
+}
+
+TEST(TextureNumbers, NormalsAreDecodedToThreeSignedNumbers) {
+  const Image decoded = decodedNormals(numbers(0.5f, halved), 127.5f);
+  EXPECT_EQ(decoded.channels(), 3);
+  EXPECT_LT(glm::distance(rgbAt(decoded, 2, 5), rgbAt(numbers(0.5f, signedNumbers), 2, 5)), 1e-6f);
 }
 
 // BC5 and files of two channels keep x and y alone.

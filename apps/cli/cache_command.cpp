@@ -34,6 +34,7 @@ Result<void> showOrClear(const std::string& what) {
     print("removed      " + contentsText(removed) + "\n");
     return {};
   }
+  if (const auto usable = cache->check(); !usable) remark(usable.error().message);
   print("holds        " + contentsText(cache->contents()) + "\n");
   print("at most      " + (cache->maxBytes() == 0 ? "nothing" : textOfBytes(cache->maxBytes())) +
         " (MIRRORBALL_CACHE_SIZE); what was not used for longest goes first\n");

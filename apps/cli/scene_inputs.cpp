@@ -125,6 +125,8 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
   if (!request.is_uncached) {
     MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
+    if (of_user)
+      if (const auto usable = of_user->check(); !usable) remark(usable.error().message);
     names.cache = std::move(of_user);
   }
   names.wishes = TechniqueWishes{request.wish.quality, given, request.objects_move};

@@ -7,6 +7,9 @@
 #include <span>
 #include <string_view>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "mirrorball/base/content_hash.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/range.h"
@@ -82,7 +85,7 @@ std::optional<Seal> sealOf(const File& file, std::uint64_t size, const std::stri
 
 Result<void> writeSealed(const fs::path& path, const std::string& key, CachedKind kind,
                          const std::function<Result<void>(const FileWriter&)>& write) {
-  MIRRORBALL_TRY(writer, FileWriter::create(path));
+  MIRRORBALL_TRY(writer, FileWriter::create(path, Links::refuse));
   MIRRORBALL_TRY_VOID(write(writer));
   MIRRORBALL_TRY(size, writer.size());
   const std::optional<Seal> seal = sealOf(writer, size, key, kind);
@@ -108,18 +111,38 @@ fs::path CacheFolder::pathOf(const std::string& key, CachedKind kind) const {
   return folder_ / (key + std::string(kEndings[static_cast<std::size_t>(kind)]));
 }
 
+Result<void> CacheFolder::check() const {
+  struct stat status {};
+  if (::stat(folder_.c_str(), &status) != 0) return {};  // it will be ours
+  constexpr mode_t kWritableByOthers = S_IWGRP | S_IWOTH;
+  if (status.st_uid != ::geteuid())
+    return fail(ErrorCode::io, folder_.string() + ": is another user's, so nothing is cached there; name one of your " +
+                                   "own in MIRRORBALL_CACHE");
+  if ((status.st_mode & kWritableByOthers) != 0)
+    return fail(ErrorCode::io, folder_.string() + ": others may write there, so nothing is cached; chmod 700 it");
+  return {};
+}
+
+/// Makes the folder, if there is none.
+///
+/// returns  whether it can be used
+bool CacheFolder::make() const {
+  std::error_code status;
+  if (const fs::path parent = folder_.parent_path(); !parent.empty()) fs::create_directories(parent, status);
+  static_cast<void>(::mkdir(folder_.c_str(), S_IRWXU));  // which fails where it is
+  return fs::is_directory(folder_, status) && check();
+}
+
 void CacheFolder::keep(const std::string& key, CachedKind kind,
                        const std::function<Result<void>(const FileWriter&)>& write) const {
-  if (max_bytes_ == 0) return;
-  std::error_code status;
-  fs::create_directories(folder_, status);
-  if (status) return;
+  if (max_bytes_ == 0 || !make()) return;
   static_cast<void>(writeSealed(pathOf(key, kind), key, kind, write));  // what cannot be written is not kept
   dropOldest();
 }
 
 std::optional<CachedContent> CacheFolder::open(const std::string& key, CachedKind kind) const {
-  auto file = FileReader::open(pathOf(key, kind));
+  if (!check()) return {};
+  auto file = FileReader::open(pathOf(key, kind), Links::refuse);
   if (!file || file->size() < sizeof(Seal)) return {};
   const std::uint64_t size = file->size() - sizeof(Seal);
   Seal seal;

@@ -30,6 +30,9 @@ struct CachedContent {
 /// A folder of files that are slow to make, found by keys: the digits of a ContentHash of all that they are made from.
 /// It is only a convenience: what cannot be read or written is made again. Each file ends with a seal, which holds its
 /// kind, its key and a checksum of its content: what is damaged, cut or under another's name is not found.
+///
+/// Names of files can be foretold, so that a folder is only used if it is the user's own and nobody else may write
+/// there; one that is made is 0700. No link in it is followed.
 class CacheFolder {
  public:
   static constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
@@ -46,6 +49,10 @@ class CacheFolder {
   static Result<std::optional<CacheFolder>> ofUser();
 
   const std::filesystem::path& folder() const { return folder_; }
+
+  /// errors   io: the folder is another user's, or others may write there, so that nothing is kept or found; says what to do
+  Result<void> check() const;
+
   std::uintmax_t maxBytes() const { return max_bytes_; }
 
   /// The contents of the folder.
@@ -90,6 +97,7 @@ class CacheFolder {
   };
   std::filesystem::path pathOf(const std::string& key, CachedKind kind) const;
   std::optional<CachedContent> open(const std::string& key, CachedKind kind) const;
+  bool make() const;
   std::vector<Kept> kept() const;
   void dropOldest() const;
 

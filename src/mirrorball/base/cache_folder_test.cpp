@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "mirrorball/base/content_hash.h"
@@ -76,6 +77,58 @@ TEST_F(CacheFolderTest, AFolderThatCannotBeMadeDoesNoHarm) {
   EXPECT_FALSE(find(cache, keyOf(1), CachedKind::occlusion));
   EXPECT_EQ(cache.contents().files, 0u);
 }
+
+#if GTEST_IS_THREADSAFE  // a browser has neither pipes nor other users
+TEST_F(CacheFolderTest, TheFolderIsTheUsersAlone) {
+  const CacheFolder cache(folder_ / "below");
+  keep(cache, keyOf(1), CachedKind::occlusion, 10);
+  const auto permissions = [&] { return fs::status(cache.folder()).permissions(); };
+  EXPECT_EQ(permissions(), fs::perms::owner_all);
+  EXPECT_TRUE(cache.check());
+  fs::permissions(cache.folder(), fs::perms::group_write, fs::perm_options::add);
+  ASSERT_FALSE(cache.check());
+  EXPECT_NE(cache.check().error().message.find("chmod 700"), std::string::npos);
+  EXPECT_FALSE(find(cache, keyOf(1), CachedKind::occlusion)) << "whoever may write there may have put it there";
+  keep(cache, keyOf(2), CachedKind::occlusion, 10);
+  fs::permissions(cache.folder(), fs::perms::owner_all);
+  EXPECT_FALSE(find(cache, keyOf(2), CachedKind::occlusion));
+  EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion));
+}
+
+TEST_F(CacheFolderTest, AnotherUsersFolderIsNotUsed) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+  fs::create_directories(folder_);
+  ASSERT_EQ(::chown(folder_.c_str(), 12345, 12345), 0);
+  const CacheFolder cache(folder_);
+  keep(cache, keyOf(1), CachedKind::occlusion, 10);
+  EXPECT_EQ(files(), 0u);
+  ASSERT_FALSE(cache.check());
+  EXPECT_NE(cache.check().error().message.find("another user's"), std::string::npos);
+}
+
+// The names can be foretold.
+TEST_F(CacheFolderTest, LinksAndPipesOfANameAreReplaced) {
+  const CacheFolder cache(folder_);
+  keep(cache, keyOf(1), CachedKind::occlusion, 10);
+  const fs::path path = fs::directory_iterator(folder_)->path();
+  const fs::path victim = folder_ / "victim.txt";
+  std::ofstream(victim) << "precious";
+  fs::rename(path, folder_ / "moved");
+  fs::create_symlink("moved", path);
+  EXPECT_FALSE(find(cache, keyOf(1), CachedKind::occlusion)) << "a link is not read";
+  fs::remove(path);
+  fs::create_symlink("victim.txt", path);
+  keep(cache, keyOf(1), CachedKind::occlusion, 10);
+  EXPECT_EQ(fs::file_size(victim), 8u);
+  EXPECT_FALSE(fs::is_symlink(path));
+  EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion));
+  fs::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_FALSE(find(cache, keyOf(1), CachedKind::occlusion));
+  keep(cache, keyOf(1), CachedKind::occlusion, 10);
+  EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion));
+}
+#endif
 
 TEST_F(CacheFolderTest, WhatCannotBeWrittenIsNotThere) {
   const CacheFolder cache(folder_);

@@ -37,10 +37,11 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
   return fail(ErrorCode::too_large, path.string() + ": not enough memory to read it");
 }
 
-Result<FileReader> FileReader::open(const std::filesystem::path& path) {
+Result<FileReader> FileReader::open(const std::filesystem::path& path, Links links) {
   const std::string name = path.string();
   // A pipe that nobody writes into would make us wait, and a terminal become ours.
-  Descriptor file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  const int refusing = links == Links::refuse ? O_NOFOLLOW : 0;
+  Descriptor file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | refusing));
   if (!file.isOpen()) return cannotBeOpened(name, errno);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) return cannotBeOpened(name, errno);

@@ -29,11 +29,17 @@ std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
 ///          `largest`, or more than the memory that may be used)
 Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest = std::uintmax_t{1} << 34);
 
+/// What becomes of a symbolic link where a file is expected.
+enum class Links {
+  follow,
+  refuse,  ///< it is not read, and replaced where a file is written
+};
+
 /// A file whose bytes are read where and when they are needed.
 class FileReader {
  public:
-  /// errors   not_found; io (a folder, no permission; a pipe or a device, which tell no size)
-  static Result<FileReader> open(const std::filesystem::path& path);
+  /// errors   not_found; io (a folder, no permission; a pipe or a device, which tell no size; a link that is refused)
+  static Result<FileReader> open(const std::filesystem::path& path, Links links = Links::follow);
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
@@ -57,12 +63,12 @@ class FileReader {
 /// renamed. Without commit() the temporary file goes away and what had the name stays.
 ///
 /// Of a symbolic link, what it leads to is replaced, and the link stays. A pipe or a device stays too: its bytes are
-/// kept in a file without a name, and commit() writes them into it.
+/// kept in a file without a name, and commit() writes them into it. Links::refuse replaces all of them.
 class FileWriter {
  public:
-  /// errors   io (no such folder, no permission)
+  /// errors   io (no such folder, no permission; a link or a pipe that another user put into a folder of everybody's)
   /// cost     that of listing the folder; of a pipe, until somebody reads it
-  static Result<FileWriter> create(const std::filesystem::path& path);
+  static Result<FileWriter> create(const std::filesystem::path& path, Links links = Links::follow);
 
   /// Writes bytes at a place counted from the file's beginning, in any order; what is never written reads as 0.
   /// Several threads may write different places at the same time.
@@ -98,7 +104,8 @@ class FileWriter {
 
 /// What a name stands for: of a symbolic link, what it leads to, be it there or not.
 ///
-/// errors   io (links in a circle); without the file's name
+/// errors   io (links in a circle; a link that another user put into a folder of everybody's, as /tmp is); without the
+///          file's name
 Result<std::filesystem::path> withoutLinks(std::filesystem::path path);
 
 /// Writes a whole file with a FileWriter.

@@ -117,7 +117,28 @@ TEST_F(FileTest, ALongNameIsWritten) {
   EXPECT_EQ(fileCount(), 3u);
 }
 
-#if GTEST_IS_THREADSAFE  // a browser has neither threads nor pipes
+#if GTEST_IS_THREADSAFE  // a browser has neither threads nor pipes nor other users
+// Where everybody may put things, nobody else decides where our bytes go.
+TEST_F(FileTest, ALinkOfAnotherUserInAFolderOfEverybodysIsRefused) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can make links of others";
+  const fs::path folder = folder_ / "everybodys", victim = folder_ / "victim", link = folder / "out.txt";
+  fs::create_directories(folder);
+  ASSERT_EQ(::chown(folder.c_str(), 12346, 12346), 0);
+  fs::permissions(folder, fs::perms::all | fs::perms::sticky_bit);
+  ASSERT_TRUE(writeFile(victim, Bytes(8)));
+  fs::create_symlink(victim, link);
+  ASSERT_EQ(::lchown(link.c_str(), 12345, 12345), 0);
+  const auto refused = writeFile(link, Bytes(1));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("another user"), std::string::npos) << refused.error().message;
+  EXPECT_EQ(fs::file_size(victim), 8u);
+  ASSERT_EQ(::lchown(link.c_str(), 0, 0), 0);
+  EXPECT_TRUE(writeFile(link, Bytes(1))) << "a link of our own";
+  EXPECT_EQ(fs::file_size(victim), 1u);
+  ASSERT_TRUE(FileWriter::create(link, Links::refuse)->commit());
+  EXPECT_FALSE(fs::is_symlink(link)) << "replaced";
+}
+
 TEST_F(FileTest, APipeIsWrittenInto) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

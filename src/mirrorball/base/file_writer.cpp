@@ -23,6 +23,21 @@ bool passesBytesOn(const fs::path& path) {
   return fs::exists(what) && !fs::is_regular_file(what) && !fs::is_directory(what);
 }
 
+/// Whether what has this name was put by another user into a folder where everybody may put things: nobody else decides
+/// where our bytes go. Linux refuses the same where fs.protected_symlinks is set.
+bool isFromAnotherUser(const fs::path& path) {
+  struct stat own {
+  }, folder{};
+  const fs::path parent = path.parent_path();
+  if (::lstat(path.c_str(), &own) != 0 || ::stat(parent.empty() ? "." : parent.c_str(), &folder) != 0) return false;
+  const bool is_everybodys = (folder.st_mode & S_ISVTX) != 0 && (folder.st_mode & S_IWOTH) != 0;
+  return is_everybodys && own.st_uid != ::geteuid() && own.st_uid != folder.st_uid;
+}
+
+tl::unexpected<Error> putByAnotherUser() {
+  return fail(ErrorCode::io, "another user put it into a folder where everybody may; remove it, or use another folder");
+}
+
 /// Gives a file the permissions of that which it takes the place of, if there is one.
 void takePermissions(const Descriptor& file, const std::string& target) {
   struct stat status {};
@@ -43,6 +58,7 @@ Result<fs::path> withoutLinks(fs::path path) {
   std::error_code status;
   for (int followed = 0; fs::is_symlink(fs::symlink_status(path, status)); ++followed) {
     if (followed == kMost) return cannotBeWritten(ELOOP);
+    if (isFromAnotherUser(path)) return putByAnotherUser();
     const fs::path target = fs::read_symlink(path, status);
     if (status) return cannotBeWritten(status.value());
     path = path.parent_path() / target;  // which is the target, if that begins at the root
@@ -53,9 +69,11 @@ Result<fs::path> withoutLinks(fs::path path) {
 FileWriter::FileWriter(std::string name, std::string target, PartFile part)
     : name_(std::move(name)), target_(std::move(target)), part_(std::move(part)) {}
 
-Result<FileWriter> FileWriter::create(const fs::path& path) {
-  const bool passes_on = passesBytesOn(path);
-  MIRRORBALL_TRY(target, passes_on ? path : withName(path.string(), withoutLinks(path)));
+Result<FileWriter> FileWriter::create(const fs::path& path, Links links) {
+  const bool follows = links == Links::follow;
+  const bool passes_on = follows && passesBytesOn(path);
+  if (passes_on && isFromAnotherUser(path)) return withName(path.string(), Result<FileWriter>(putByAnotherUser()));
+  MIRRORBALL_TRY(target, passes_on || !follows ? path : withName(path.string(), withoutLinks(path)));
   const auto named = [&](const Error& error) {
     const std::string link = target == path ? "" : "is a link to " + target.string() + ", which ";
     return fail(ErrorCode::io, path.string() + ": " + link + "cannot be written: " + error.message +

@@ -166,7 +166,12 @@ Result<std::vector<std::string>> pathsFor(const std::vector<std::string>& inputs
 ///          be written as asked); io (the folder); interrupted; one input's own error; of several the summary
 Result<void> convertMany(const std::vector<std::string>& inputs, const ConvertRequest& request) {
   const std::string& folder = request.output.output;
-  if (isOneFile(folder)) return tl::unexpected<Error>(manyForOneFile(folder, inputs));
+  if (isOneFile(folder)) {
+    Error many = manyForOneFile(folder, inputs);
+    // Who has photographs of one ball, or six faces, did not mean a file of each.
+    many.message += ", `mirrorball photo` merges exposures of a mirror ball, and six faces are named by their folder";
+    return tl::unexpected<Error>(std::move(many));
+  }
   MIRRORBALL_TRY(paths, pathsFor(inputs, folder, request.options.extension));
   for (std::size_t index = 0; index < inputs.size(); ++index)
     MIRRORBALL_TRY_VOID(checkRequest(inputs[index], paths[index], request));

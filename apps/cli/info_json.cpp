@@ -79,6 +79,14 @@ Json jsonOfAnimation(const Animation& animation) {
   return {{"name", animation.name}, {"seconds", numberOf(double(animation.length_s))}};
 }
 
+Json jsonOfMaterial(const MaterialFacts& facts) {
+  Json json{{"name", facts.name}, {"parameters", Json::object()}, {"maps", Json::object()}};
+  for (const auto& [name, value] : facts.parameters) json["parameters"][std::string(name)] = value;
+  for (const MaterialMapFact& map : facts.maps)
+    json["maps"][std::string(map.name)] = {{"size", {map.size.x, map.size.y}}, {"floats", map.has_floats}};
+  return json;
+}
+
 void add(const ModelInfo& model, Json& json) {
   const Scene& scene = model.scene;
   const BoundingSphere bounds = boundingSphere(scene);
@@ -93,7 +101,9 @@ void add(const ModelInfo& model, Json& json) {
   json["cameras"] = arrayOfEach<ModelCamera>(scene.cameras, jsonOfCamera);
   json["lights"] = arrayOfEach<ModelLight>(scene.lights, jsonOfLight);
   json["animations"] = arrayOfEach<Animation>(scene.rig.animations, jsonOfAnimation);
+  for (const MaterialFacts& facts : model.materials) json["material_facts"].push_back(jsonOfMaterial(facts));
   json["notes"] = scene.warnings;
+  for (const std::string& mistake : likelyMistakes(scene)) json["notes"].push_back(mistake);
 }
 
 void add(const FoundBrdfTable& table, Json& json) {

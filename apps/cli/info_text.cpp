@@ -109,6 +109,29 @@ std::string lightText(const ModelLight& light) {
 
 std::string animationText(const Animation& animation) { return shortText(double(animation.length_s)) + " s"; }
 
+/// "metallic 0.25; base_color_map 1024x1024, normal_map 512x512 (floats)"
+std::string materialText(const MaterialFacts& facts) {
+  std::vector<std::string> parameters, maps;
+  for (const auto& [name, value] : facts.parameters) parameters.push_back(std::string(name) + " " + value);
+  for (const MaterialMapFact& map : facts.maps)
+    maps.push_back(std::string(map.name) + " " + sizeText(map.size) + (map.has_floats ? " (floats)" : ""));
+  return join(parameters) + (parameters.empty() || maps.empty() ? "" : "; ") + join(maps);
+}
+
+/// A line for each material that has something to say, of the first ones.
+std::string materialsText(const std::vector<MaterialFacts>& materials) {
+  constexpr std::size_t kMostLines = 20;
+  std::string said;
+  std::size_t lines = 0;
+  for (const MaterialFacts& facts : materials) {
+    if (facts.parameters.empty() && facts.maps.empty()) continue;
+    if (lines++ < kMostLines)
+      said += line("material", (facts.name.empty() ? "(unnamed)" : printable(facts.name)) + ": " + materialText(facts));
+  }
+  if (lines > kMostLines) said += line("material", "and " + std::to_string(lines - kMostLines) + " more (--json)");
+  return said;
+}
+
 std::string textOf(const ModelInfo& model) {
   const Scene& scene = model.scene;
   const BoundingSphere bounds = boundingSphere(scene);
@@ -116,16 +139,19 @@ std::string textOf(const ModelInfo& model) {
   for (const Material& material : scene.materials) materials.push_back(nameOf(material));
   std::string said =
       line("format", model.format) + line("triangles", std::to_string(triangleCount(scene))) +
-      line("extent", "a ball about " + shortText(bounds.center) + " of radius " + shortText(double(bounds.radius)));
+      line("extent", "a ball about " + shortText(bounds.center) + " of radius " + shortText(double(bounds.radius))) +
+      line("size", shortText(boundingBox(scene).high - boundingBox(scene).low) + " along x, y and z");
   const auto list = [&](const char* name, const std::vector<std::string>& things) {
     if (!things.empty()) said += line(name, join(things));
   };
   list("materials", materials);
+  said += materialsText(model.materials);
   list("variants", scene.variants);
   list("cameras", described(scene.cameras, cameraText));
   list("lights", described(scene.lights, lightText));
   list("animations", described(scene.rig.animations, animationText));
   for (const std::string& warning : scene.warnings) said += line("note", warning);
+  for (const std::string& mistake : likelyMistakes(scene)) said += line("note", mistake);
   return said;
 }
 

@@ -14,6 +14,7 @@
 #include "mirrorball/environment/statistics.h"
 #include "mirrorball/output/baked/brdf_file.h"
 #include "mirrorball/output/baked/lobe_row_files.h"
+#include "mirrorball/scene/model_facts.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
@@ -47,6 +48,7 @@ struct MapInfo {
 struct ModelInfo {
   std::string format;  ///< "glTF"
   Scene scene;
+  std::vector<MaterialFacts> materials = materialFacts(scene);
 };
 
 /// How many it shows, each as often as its mesh is placed.

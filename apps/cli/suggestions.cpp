@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/files.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/scene/load_model.h"
@@ -101,6 +102,16 @@ bool takesPath(const Command& command) { return std::ranges::any_of(command.argu
 
 std::string didYouMean(const std::string& what) { return "did you mean " + what + "?"; }
 
+/// What other programs have options for and this one does not do.
+struct AbsentFeature {
+  std::string_view words;  ///< with spaces between
+  std::string_view hint;
+};
+constexpr auto kAbsentFeatures = std::to_array<AbsentFeature>({
+    {"aperture bokeh depthoffield dof fstop focaldistance focus", "pictures are in focus at all distances"},
+    {"motionblur shutter shutterspeed", "there is no motion blur"},
+});
+
 std::optional<std::string> hintBySynonym(const Command& command, const std::string& word) {
   for (const Synonyms& row : kOptionSynonyms) {
     if (!hasWord(row.words, word)) continue;
@@ -125,6 +136,9 @@ std::optional<std::string> hintForOption(const Command& command, std::string_vie
   const std::string word = squashed(written);
   if (auto hint = hintBySynonym(command, word)) return hint;
   if (auto hint = hintByParameter(command, word)) return hint;
+  if (hasOption(command, "exposure"))
+    for (const AbsentFeature& feature : kAbsentFeatures)
+      if (hasWord(feature.words, word)) return std::string(feature.hint);
   std::vector<std::string> options{"--help", "--version"};
   for (const CommandOption& option : command.options) {
     options.push_back(dashed(option.text.name));
@@ -142,6 +156,8 @@ std::optional<std::string> hintForWord(const Command& command, const std::string
   const bool exists = std::filesystem::exists(word, status);
   const bool may_be_light = isBuiltinEnvironment(word) || (exists && !modelFormatOf(word));
   if (hasOption(command, "env") && may_be_light) return "for its light say -e " + word;
+  if (hasOption(command, "env") && (contains(builtinModelNames(), word) || (exists && modelFormatOf(word))))
+    return "one model is drawn at a time; a glTF file may hold several";
   if (hasOption(command, "output") && isOutputName(word) && !exists) return "to write it say -o " + word;
   return std::nullopt;
 }

@@ -165,6 +165,8 @@ std::string adviceOn(const Remark& remark) {
       return "; --scale-light or --format float32 would keep it";
     case RemarkKind::light_too_bright:
       return "; --scale-light or, of small lamps in a folder, --split would keep it";
+    case RemarkKind::format_widened:
+      return "; --format half is half as large, and cuts what is brighter than 65504";
     case RemarkKind::digits_lost:
       return "; --format float32 holds them all";
     case RemarkKind::form_unsaid:

@@ -119,7 +119,7 @@ TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
   for (const std::string program : {"", " --for unreal", " --for three"}) {
     const std::string to = " --format float32 --rotate 40,10" + program;
     succeed(kSmallPictures + std::string("--mip-mapping filament --skybox-size 64 --extension ktx2 -o out") + to);
-    succeed("convert map.exr --to cube --size 64 -o cube.ktx2" + to);
+    succeed("convert --quiet map.exr --to cube --size 64 -o cube.ktx2" + to);
     const ImageSet skybox = texture("out/skybox.ktx2");
     const ImageSet cube = texture("cube.ktx2");
     for (int face = 0; face < 6; ++face) EXPECT_EQ(difference(skybox.at(0, face), cube.at(0, face)), 0.0f);

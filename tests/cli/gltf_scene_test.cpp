@@ -215,6 +215,15 @@ TEST_F(GltfSceneTest, InfoListsWhatTheModelHas) {
   EXPECT_EQ(json["lights"][0]["candela"], nlohmann::json::array({60, 45, 30}));
   EXPECT_EQ(json["lights"][2]["type"], "directional");
   EXPECT_THAT(refuse(1, "info model.glb --direction 0,0,1"), HasSubstr("is a glTF model, no map"));
+  scene.materials.resize(1);
+  for (Shared<Mesh>& mesh : scene.meshes) mesh.edit().material = 0;
+  scene.materials[0] = Material();
+  scene.materials[0].base_color = glm::vec3(0.0f);
+  scene.materials[0].metallic = 0.5f;
+  writeModel("black.glb", scene);
+  EXPECT_THAT(succeed("info black.glb"), AllOf(HasSubstr("metallic 0.5"), HasSubstr("all base colours are black")));
+  const auto black = nlohmann::json::parse(succeed("info black.glb --json"));
+  EXPECT_EQ(black["material_facts"][0]["parameters"]["metallic"], "0.5");
 }
 
 }  // namespace

@@ -70,6 +70,17 @@ TEST_F(SuggestionTest, WhatNothingMeansIsNotSuggested) {
         << line;
 }
 
+TEST_F(SuggestionTest, WhatThereIsNotIsTold) {
+  expectHints({{"render --aperture 2.8", "pictures are in focus at all distances"},
+               {"render --motion-blur 1", "there is no motion blur"}});
+}
+
+TEST_F(SuggestionTest, AMaterialsParameterMayHaveAnothersName) {
+  expectHints({{"render --set metalness=1", "did you mean 'metallic'?"},
+               {"render --set Albedo=1", "did you mean 'base_color'?"},
+               {"render --set ao-map=a.png", "did you mean 'occlusion_map'?"}});
+}
+
 TEST_F(SuggestionTest, AMisspeltValueIsSuggested) {
   EXPECT_THAT(refuse(1, "info sutdio"), HasSubstr("did you mean 'studio'?"));
   EXPECT_THAT(refuse(1, "info sky.hdr"), AllOf(HasSubstr("no such file"), Not(HasSubstr("did you mean"))));
@@ -103,9 +114,11 @@ TEST_F(SuggestionTest, AWordTooManyIsToldWhereItBelongs) {
        {"render teapot studio", "for its light say -e studio"},
        {"render teapot a.hdr", "for its light say -e a.hdr"},
        {"render teapot b.png", "to write it say -o b.png"},
+       {"render torus knot", "one model is drawn at a time; a glTF file may hold several"},
        {"render teapot --fov 40 20", "numbers of one option have commas between"},
        {"convert a.hdr --to cube --rotate 90 20 -o b.exr", "there are 2 inputs (a.hdr, 20)"},
        {"convert a b c d --to cube -o b.exr", "there are 4 inputs (a, b, c, …)"},
+       {"convert a.jpg b.jpg -o b.exr", "`mirrorball photo` merges exposures of a mirror ball"},
        {"bake a.hdr b.hdr -o b.ktx2", "there are 2 inputs (a.hdr, b.hdr)"},
        {"convert a.hdr --mips=maybe -o b.ktx2", "--mips is there or not, and takes no value"},
        {"help rendr", "did you mean 'render'?"},

@@ -50,7 +50,8 @@ class CacheFolder {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// errors   io: the folder is another user's, or others may write there, so that nothing is kept or found; says what to do
+  /// errors   io: the folder is another user's, or others may write there, so that nothing is kept or found; says what
+  ///          to do
   Result<void> check() const;
 
   std::uintmax_t maxBytes() const { return max_bytes_; }

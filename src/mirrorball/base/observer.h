@@ -26,6 +26,7 @@ enum class RemarkKind {
   levels_left_out,   ///< of its mip levels only the first is taken
   model_reduced,     ///< a model has what is not read, or what is not drawn
   body_open,         ///< a transmitting body has an open surface
+  not_imported,      ///< the program that a map is for makes no light of such a file
   levels_few,        ///< there are not the mip levels that their reader expects; `detail`: how many, if a chain can
 };
 

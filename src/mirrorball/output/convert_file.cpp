@@ -110,6 +110,7 @@ Result<MapFile> outputOf(const std::string& input, const std::string& path, cons
                          Projection projection, const Observer& observer) {
   MIRRORBALL_TRY(output, MapFile::resolve(path, options, projection, observer));
   MIRRORBALL_TRY_VOID(refuseOverwriting({&input, 1}, output.paths()));
+  output.tellIfNotImported();
   return output;
 }
 

@@ -63,6 +63,7 @@ Result<void> MapFile::setForm(const MapFileOptions& options, Projection projecti
     MIRRORBALL_TRY(form, formFor(preset, projection, layout.value_or(preset.layout)));
     form_ = form;
     naming_ = preset.naming;
+    not_imported_ = importedInstead(preset, projection, extensionOf(path_));
   } else {
     form_.layout = layout.value_or(CubeLayout::hcross);
   }
@@ -162,6 +163,10 @@ void MapFile::tellLost(const LostLight& light) const {
     observer_.tell(RemarkKind::light_lost, path_ + ": " + rangeOf(*format_) +
                                                ", and what is brighter was lowered to that: " + percentOf(light) +
                                                " of the light is lost");
+}
+
+void MapFile::tellIfNotImported() const {
+  if (not_imported_) observer_.tell(RemarkKind::not_imported, path_ + ": " + *not_imported_);
 }
 
 void MapFile::tellDark(const ValueCounts& counts) const {

@@ -75,6 +75,9 @@ class MapFile {
   /// Whether it is a texture that could hold mip levels, and none was asked for.
   bool leavesLevelsOut() const { return is_texture_ && !hasLevels(); }
 
+  /// Remarks that the program which the map is for makes no light of such a file, if that is so.
+  void tellIfNotImported() const;
+
   /// errors   usage: a mip level is wanted that a map of that size does not have
   Result<void> checkLevelOfSize(int size) const;
 
@@ -143,7 +146,8 @@ class MapFile {
 
   std::string path_;
   MapForm form_;
-  std::string hint_;  // FormHint's words for the form
+  std::string hint_;                         // FormHint's words for the form
+  std::optional<std::string> not_imported_;  // importedInstead() of the program
   FaceNaming naming_ = FaceNaming::px;
   bool is_texture_ = false;
   std::optional<TexelFormat> format_;  // nothing: half floats or, where they do not hold the light, 32-bit ones

@@ -11,6 +11,7 @@ Result<SavedMap> saveMap(const std::string& path, EnvironmentMap map, const MapF
   SavedMap saved;
   limitLight(map, options.light);
   MIRRORBALL_TRY(file, MapFile::resolve(path, options, map.projection(), observer.keeping(saved.remarks)));
+  file.tellIfNotImported();
   MIRRORBALL_TRY_VOID(file.write(std::move(map)));
   saved.paths = file.paths();
   return saved;

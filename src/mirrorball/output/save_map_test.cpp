@@ -87,7 +87,13 @@ TEST_F(SaveMapTest, RemarksAreData) {
   ASSERT_EQ(unsaid->remarks.size(), 1u);
   EXPECT_EQ(unsaid->remarks[0].kind, RemarkKind::form_unsaid);
   EXPECT_EQ(unsaid->remarks[0].detail, "cube:for=unreal");
-  EXPECT_EQ(told, 3);
+  const auto flat =
+      saveMap(path("flat.dds"), *convert(Environment(testing::smoothRadiance, 64), Projection::equirect, 16),
+              {.program = "unreal"}, observer);
+  ASSERT_FALSE(flat->remarks.empty());
+  EXPECT_EQ(flat->remarks[0].kind, RemarkKind::not_imported);
+  EXPECT_THAT(flat->remarks[0].message, HasSubstr("not of a panorama in .dds"));
+  EXPECT_EQ(told, 3 + static_cast<int>(flat->remarks.size()));
 }
 
 TEST_F(SaveMapTest, WhatDoesNotGoTogetherIsRefused) {

@@ -17,6 +17,22 @@
 namespace mirrorball {
 namespace {
 
+// Whoever has one of these finds the way to glTF.
+TEST(LoadModel, OthersFilesAreNamedWithTheProgramThatMakesGltfOfThem) {
+  const std::string folder = ::testing::TempDir() + "load_model_";
+  const auto messageOf = [&](const std::string& name, const std::string& begin) {
+    EXPECT_TRUE(writeFile(folder + name, Bytes(begin.begin(), begin.end())));
+    return loadModel(folder + name).error().message;
+  };
+  EXPECT_THAT(
+      messageOf("a.fbx", "Kaydara FBX Binary  "),
+      ::testing::HasSubstr("is an FBX, which is not read; open it in Blender and export it as glTF 2.0 (.glb)"));
+  EXPECT_THAT(messageOf("unnamed", "PXR-USDC"), ::testing::HasSubstr("is a USD"));
+  EXPECT_THAT(messageOf("a.blend", "BLENDER-v402"), ::testing::HasSubstr("is a Blender file"));
+  EXPECT_THAT(messageOf("a.stp", "ISO-10303-21;"), ::testing::HasSubstr("open it in FreeCAD"));
+  EXPECT_THAT(messageOf("a.txt", "hello"), ::testing::HasSubstr("is no model that can be read"));
+}
+
 using ::testing::HasSubstr;
 
 /// What every loaded scene promises: indices in range, finite numbers.
@@ -62,7 +78,7 @@ TEST(LoadModel, NamesAMissingFileAndAnUnknownKind) {
   EXPECT_EQ(missing.error().code, ErrorCode::not_found);
   EXPECT_THAT(missing.error().message, HasSubstr("no/such/model.glb"));
 
-  const std::string path = ::testing::TempDir() + "model.fbx";
+  const std::string path = ::testing::TempDir() + "model.xyz";
   ASSERT_TRUE(writeFile(path, {}));
   const Result<Scene> unknown = loadModel(path);
   ASSERT_FALSE(unknown);

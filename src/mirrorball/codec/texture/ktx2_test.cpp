@@ -267,6 +267,36 @@ TEST(Ktx2, LyingHeadersAreNamedWithTheirPlace) {
   EXPECT_THAT(with(128, 93), HasSubstr("the data format descriptor at byte 128"));
 }
 
+// Compressing takes minutes at high levels.
+TEST(Zstandard, TellsHowFarItIsAndCanBeStopped) {
+  MIRRORBALL_NEEDS(checkZstandard());
+  Bytes bytes(std::size_t{20} << 20);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i >> 7);
+  std::vector<std::size_t> told;
+  const auto packed = packZstandard(bytes, 1, [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, bytes.size());
+    told.push_back(done);
+    return true;
+  });
+  ASSERT_TRUE(packed) << packed.error().message;
+  EXPECT_GE(told.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), bytes.size());
+  Bytes unpacked(bytes.size());
+  ASSERT_TRUE(unpackZstandard(*packed, unpacked));
+  EXPECT_TRUE(unpacked == bytes);
+  const auto stopped = packZstandard(bytes, 1, [](std::size_t done, std::size_t) { return done < (5u << 20); });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+}
+
+TEST(Zstandard, NothingIsPackedToo) {
+  MIRRORBALL_NEEDS(checkZstandard());
+  const auto packed = packZstandard({}, 3);
+  ASSERT_TRUE(packed);
+  EXPECT_TRUE(unpackZstandard(*packed, {}));
+}
+
 TEST(Ktx2, UnsoundZstandardIsNamed) {
   MIRRORBALL_NEEDS(checkZstandard());
   const Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 16, 16), {.zstandard_level = 3});

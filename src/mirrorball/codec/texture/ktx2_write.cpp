@@ -86,10 +86,9 @@ Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, c
     // Next to the compression nothing else counts.
     const ProgressFunction asked = partOf(options.progress, done, 0, all);
     MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, keep, asked));
-    MIRRORBALL_TRY(packed, packZstandard(texels, options.zstandard_level));
+    const ProgressFunction packing = partOf(options.progress, done, texels.size(), all);
+    MIRRORBALL_TRY(packed, packZstandard(texels, options.zstandard_level, packing));
     done += texels.size();
-    if (options.progress && !options.progress(done, all))
-      return fail(ErrorCode::interrupted, "interrupted; nothing was written");
     MIRRORBALL_TRY_VOID(write(at, packed));
     levels[i] = {at, packed.size(), texels.size()};
     at += packed.size();

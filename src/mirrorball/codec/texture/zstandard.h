@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 
 namespace mirrorball {
@@ -22,8 +23,9 @@ Result<void> unpackZstandard(std::span<const std::uint8_t> packed, std::span<std
 /// Packs the bytes as one Zstandard frame, whose blocks are compressed on all cores where the library can. The result
 /// does not depend on the number of cores.
 ///
-/// level    1 to 22
-/// errors   too_large (memory); unsupported, as checkZstandard
-Result<Bytes> packZstandard(std::span<const std::uint8_t> bytes, int level);
+/// level     1 to 22
+/// progress  of bytes that the compressor has taken, which is some pieces ahead of its work
+/// errors    too_large (memory); interrupted; unsupported, as checkZstandard
+Result<Bytes> packZstandard(std::span<const std::uint8_t> bytes, int level, const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

@@ -8,7 +8,7 @@ Result<void> checkZstandard() { return leftOut("knows no Zstandard", "MIRRORBALL
 
 Result<void> unpackZstandard(std::span<const std::uint8_t>, std::span<std::uint8_t>) { return checkZstandard(); }
 
-Result<Bytes> packZstandard(std::span<const std::uint8_t>, int) {
+Result<Bytes> packZstandard(std::span<const std::uint8_t>, int, const ProgressFunction&) {
   MIRRORBALL_TRY_VOID(checkZstandard());
   return Bytes();
 }

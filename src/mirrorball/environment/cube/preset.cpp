@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
@@ -42,11 +43,16 @@ const std::array<Preset, 14>& table() {
       {"vulkan", "Vulkan", ours, plus_z, CubeLayout::faces},
       {"directx", "Direct3D", ours, plus_z, CubeLayout::faces},
       // Skybox-Panoramic.shader: u = 1/2 - atan2(z, x) / 2 pi in Unity's axes.
-      {"unity", "Unity", x_mirrored, minus_x, CubeLayout::faces},
+      // IHVImageFormatImporter, which reads .dds and .ktx, is documented for Texture2D alone.
+      {"unity", "Unity", x_mirrored, minus_x, CubeLayout::faces, FaceNaming::px, false, false, "hdr exr png jpg tif",
+       "hdr exr png jpg tif"},
       // TextureCompressorModule.cpp, LookupLongLat: u = 1/2 + atan2(x, -y) / 2 pi in Unreal's axes.
-      {"unreal", "Unreal Engine", z_up, minus_z, CubeLayout::faces},
+      // TextureFactory makes a Texture Cube of a .hdr panorama, InterchangeDDSTranslator one of a .dds cube.
+      {"unreal", "Unreal Engine", z_up, minus_z, CubeLayout::faces, FaceNaming::px, false, false, "hdr", "dds"},
       // sky.glsl: u = atan2(x, -z) / 2 pi. ResourceImporterLayeredTexture cuts one picture into the six faces.
-      {"godot", "Godot", ours, plus_z, CubeLayout::tiles},
+      // It has importers of pictures, and loads .dds as it is; of .ktx2 it reads no cubes.
+      {"godot", "Godot", ours, plus_z, CubeLayout::tiles, FaceNaming::px, false, false, "hdr exr png jpg webp dds ktx2",
+       "hdr exr png jpg webp dds"},
       // cmgen (CubemapUtils.cpp, mirrorCubemap and equirectangularToCubemap): u = 1/2 + atan2(-x, z) / 2 pi, and cubes
       // by the table, at which the shaders look with world directions (surface_light_indirect.fs).
       {"filament", "Filament", ours, plus_z, CubeLayout::faces},
@@ -60,7 +66,9 @@ const std::array<Preset, 14>& table() {
       // It has our axes, and no maps but those in EXT_lights_image_based.
       {"gltf", "glTF", std::nullopt, plus_z, CubeLayout::faces},
       // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).
-      {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces},
+      // Of .dds it reads pictures of 8 bits alone (imbuf), of .ktx and .ktx2 nothing.
+      {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces, FaceNaming::px, false, false,
+       "hdr exr png jpg tif webp", ""},
       // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from
       // there. OpenUSD's hdPrman (light.cpp) turns a dome light so that OpenEXR's directions hold.
       {"renderman", "RenderMan", ours, plus_z, CubeLayout::faces},
@@ -93,6 +101,20 @@ std::span<const std::string_view> presetNames() {
 Result<Preset> presetNamed(std::string_view name) {
   if (const auto index = indexOfName(name, presetNames(), kAliases)) return presets()[*index];
   return tl::unexpected<Error>(unknownName("program", name, presetNames()));
+}
+
+std::optional<std::string> importedInstead(const Preset& preset, Projection projection, std::string_view extension) {
+  const bool is_cube = faceCount(projection) == 6;
+  const auto listed = [](std::string_view files) { return split(files, ' '); };
+  const std::vector<std::string> taken = listed(is_cube ? preset.cube_files : preset.panorama_files);
+  const std::string_view written = extension == "jpeg" ? "jpg" : extension == "tiff" ? "tif" : extension;
+  if ((is_cube ? preset.cube_files : preset.panorama_files).empty() || contains(taken, written)) return std::nullopt;
+  const auto named = [&](std::string_view what, std::string_view files) {
+    return "a " + std::string(what) + " in ." + join(listed(files), " or .");
+  };
+  std::string text = std::string(preset.program) + " makes light of " + named("panorama", preset.panorama_files);
+  if (!preset.cube_files.empty()) text += " and of " + named("cube", preset.cube_files);
+  return text + ", not of a " + (is_cube ? "cube" : "panorama") + " in ." + std::string(extension);
 }
 
 Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mirrorball/base/result.h"
@@ -21,7 +22,17 @@ struct Preset {
   FaceNaming naming = FaceNaming::px;   ///< of a cube's six files
   bool has_texels_on_edges = false;     ///< MapForm::has_texels_on_edges
   bool reads_primaries = false;         ///< of a file that states others than Rec.709's
+  // Which files the program makes light of, by their extensions: "hdr exr". Empty: any, or not known.
+  std::string_view panorama_files = {};
+  std::string_view cube_files = {};
 };
+
+/// What a program imports instead of a map in such a file: "Unreal Engine makes light of a panorama in .hdr and of a
+/// cube in .dds, not of a panorama in .dds".
+///
+/// extension   of the file, without its dot
+/// returns     nothing if it imports that, or if it is not known
+std::optional<std::string> importedInstead(const Preset& preset, Projection projection, std::string_view extension);
 
 /// opengl, vulkan, directx, unity, unreal, godot, filament, three, babylon, playcanvas, gltf, blender, renderman,
 /// openexr

@@ -84,6 +84,26 @@ TEST(Preset, WhatAProgramDoesNotTakeIsTold) {
   EXPECT_THAT(presetNamed("unreel").error().message, HasSubstr("did you mean 'unreal'?"));
 }
 
+TEST(Preset, FilesOfWhichAProgramMakesNoLightAreTold) {
+  const auto insteadOf = [](std::string_view name, Projection projection, std::string_view extension) {
+    return importedInstead(*presetNamed(name), projection, extension).value_or("");
+  };
+  EXPECT_EQ(insteadOf("unreal", Projection::equirect, "dds"),
+            "Unreal Engine makes light of a panorama in .hdr and of a cube in .dds, not of a panorama in .dds");
+  EXPECT_THAT(insteadOf("unreal", Projection::cube, "hdr"), HasSubstr("not of a cube in .hdr"));
+  EXPECT_EQ(insteadOf("unreal", Projection::equirect, "hdr"), "");
+  EXPECT_EQ(insteadOf("unreal", Projection::cube, "dds"), "");
+  EXPECT_THAT(insteadOf("unity", Projection::cube, "ktx2"), HasSubstr("not of a cube in .ktx2"));
+  EXPECT_EQ(insteadOf("unity", Projection::cube, "tiff"), "");
+  EXPECT_THAT(insteadOf("godot", Projection::cube, "ktx2"), HasSubstr(".hdr or .exr"));
+  EXPECT_EQ(insteadOf("blender", Projection::equirect, "ktx2"),
+            "Blender makes light of a panorama in .hdr or .exr or .png or .jpg or .tif or .webp, not of a panorama in "
+            ".ktx2");
+  for (const Preset& preset : presets())
+    if (preset.panorama_files.empty())
+      EXPECT_FALSE(importedInstead(preset, Projection::equirect, "ktx")) << preset.name;
+}
+
 TEST(Preset, EachHasARowInTheConventions) {
   std::ifstream stream(std::string(MIRRORBALL_SOURCE_DIR) + "/docs/conventions.md");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

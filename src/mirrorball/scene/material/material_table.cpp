@@ -39,6 +39,29 @@ constexpr ParsedField<Material> kDerivativeField{
 constexpr auto kFormerNames =
     std::to_array<Alias>({{"bump", "height"}, {"bump_height", "height_scale"}, {"bump_frequency", "height_frequency"}});
 
+/// What other programs call parameters, which is suggested and not taken.
+constexpr auto kOthersNames = std::to_array<Alias>({{"metalness", "metallic"},
+                                                    {"albedo", "base_color"},
+                                                    {"color", "base_color"},
+                                                    {"colour", "base_color"},
+                                                    {"diffuse", "base_color"},
+                                                    {"diffuse_color", "base_color"},
+                                                    {"rough", "perceptual_roughness"},
+                                                    {"roughness", "perceptual_roughness"},
+                                                    {"emissive", "emission"},
+                                                    {"alpha", "opacity"},
+                                                    {"transparency", "opacity"},
+                                                    {"eta", "ior"},
+                                                    {"coat", "clearcoat"},
+                                                    {"sheen", "sheen_color"},
+                                                    {"texture", "base_color_map"},
+                                                    {"albedo_map", "base_color_map"},
+                                                    {"metalness_map", "metallic_map"},
+                                                    {"emissive_map", "emission_map"},
+                                                    {"ao_map", "occlusion_map"},
+                                                    {"bump_map", "height"},
+                                                    {"displacement_map", "height"}});
+
 const auto kParameters = std::to_array<MaterialParameter>({
     {{{.name = "base_color",
        .value = "R,G,B",
@@ -373,8 +396,11 @@ Result<void> setParameter(Material& material, std::string_view assignment) {
   for (const auto& parameter : kParameters) names.push_back(parameter.text.name);
   for (const MaterialMap& map : kMaps) names.push_back(map.name);
   const auto index = indexOfName(key, names, kFormerNames);
-  if (!index || *index >= kParameters.size())
+  if (!index || *index >= kParameters.size()) {
+    if (const auto meant = indexOfName(key, names, kOthersNames))
+      return tl::unexpected<Error>(unknownName("material parameter", key, names, std::optional(names[*meant])));
     return tl::unexpected<Error>(unknownName("material parameter", key, names));
+  }
   const MaterialParameter& parameter = kParameters[*index];
   const std::string name(parameter.text.name);
   if (equals == std::string_view::npos)

@@ -124,8 +124,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      &FrameSettings::env_intensity},
     {{.name = "stand",
       .help = "stand the model on the floor that the panorama shows: the same as {option:proxy} ground, and a camera "
-              "that holds "
-              "the shadow too. With {option:background} transparent the shadow is all that is left of the floor",
+              "that also holds the floor beside it, half a radius wide, with what falls there of its shadow. With "
+              "{option:background} transparent the shadow is all that is left of the floor",
       .group = "Environment",
       .is_daily = true},
      &FrameSettings::stands},

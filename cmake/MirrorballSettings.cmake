@@ -55,7 +55,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # A group of files is done with less.
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
-# The program reads files of strangers. So stacks notice when they are overwritten, copies know how much room there is,
+# The program reads files of strangers. So stacks notice when they are overwritten, copies know the size of their target,
 # and the table of calls into libraries is filled and locked before the first of them, as distributions ask for.
 if(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_SYSTEM_NAME STREQUAL Linux)
   add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)

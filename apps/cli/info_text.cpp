@@ -121,15 +121,15 @@ std::string materialText(const MaterialFacts& facts) {
 /// A line for each material that has something to say, of the first ones.
 std::string materialsText(const std::vector<MaterialFacts>& materials) {
   constexpr std::size_t kMostLines = 20;
-  std::string said;
+  std::string text;
   std::size_t lines = 0;
   for (const MaterialFacts& facts : materials) {
     if (facts.parameters.empty() && facts.maps.empty()) continue;
     if (lines++ < kMostLines)
-      said += line("material", (facts.name.empty() ? "(unnamed)" : printable(facts.name)) + ": " + materialText(facts));
+      text += line("material", (facts.name.empty() ? "(unnamed)" : printable(facts.name)) + ": " + materialText(facts));
   }
-  if (lines > kMostLines) said += line("material", "and " + std::to_string(lines - kMostLines) + " more (--json)");
-  return said;
+  if (lines > kMostLines) text += line("material", "and " + std::to_string(lines - kMostLines) + " more (--json)");
+  return text;
 }
 
 std::string textOf(const ModelInfo& model) {
@@ -137,22 +137,22 @@ std::string textOf(const ModelInfo& model) {
   const BoundingSphere bounds = boundingSphere(scene);
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(nameOf(material));
-  std::string said =
+  std::string text =
       line("format", model.format) + line("triangles", std::to_string(triangleCount(scene))) +
       line("extent", "a ball about " + shortText(bounds.center) + " of radius " + shortText(double(bounds.radius))) +
       line("size", shortText(boundingBox(scene).high - boundingBox(scene).low) + " along x, y and z");
   const auto list = [&](const char* name, const std::vector<std::string>& things) {
-    if (!things.empty()) said += line(name, join(things));
+    if (!things.empty()) text += line(name, join(things));
   };
   list("materials", materials);
-  said += materialsText(model.materials);
+  text += materialsText(model.materials);
   list("variants", scene.variants);
   list("cameras", described(scene.cameras, cameraText));
   list("lights", described(scene.lights, lightText));
   list("animations", described(scene.rig.animations, animationText));
-  for (const std::string& warning : scene.warnings) said += line("note", warning);
-  for (const std::string& mistake : likelyMistakes(scene)) said += line("note", mistake);
-  return said;
+  for (const std::string& warning : scene.warnings) text += line("note", warning);
+  for (const std::string& mistake : likelyMistakes(scene)) text += line("note", mistake);
+  return text;
 }
 
 std::string textOf(const FoundBrdfTable& table) {

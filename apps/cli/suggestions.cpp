@@ -109,7 +109,7 @@ struct AbsentFeature {
 };
 constexpr auto kAbsentFeatures = std::to_array<AbsentFeature>({
     {"aperture bokeh depthoffield dof fstop focaldistance focus", "pictures are in focus at all distances"},
-    {"motionblur shutter shutterspeed", "there is no motion blur"},
+    {"motionblur shutter shutterspeed", "motion blur is not simulated"},
 });
 
 std::optional<std::string> hintBySynonym(const Command& command, const std::string& word) {

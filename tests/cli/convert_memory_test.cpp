@@ -122,8 +122,8 @@ TEST_F(ConvertRowsTest, LightBeyondHalfFloatsIsFoundByRowsToo) {
   const Outcome outcome = run("convert bright.exr --to cube --size 128 -o out.ktx2 --max-memory 1M");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err,
-            "mirrorball: note: out.ktx2: holds light that half floats do not; written in 32-bit floats; --format half is "
-            "half as large, and cuts what is brighter than 65504\n");
+            "mirrorball: note: out.ktx2: holds light that half floats do not; written in 32-bit floats; --format half "
+            "is half as large, and cuts what is brighter than 65504\n");
   succeed("convert bright.exr --to cube --size 128 -o whole.ktx2 --format float32");
   EXPECT_TRUE(bytes("out.ktx2") == bytes("whole.ktx2"));
 }

@@ -44,7 +44,7 @@ class ConvertPresetTest : public CliTest {
   /// Takes from a file all that it says of itself: other programs keep none of it.
   void silence(const std::string& name) const { write(name, image(name)); }
 
-  /// Of what was said the line that tells how a DDS is read again; "" if there is none.
+  /// The line of standard error on how a DDS is read again; "" without one.
   static std::string readingHint(const std::string& err) {
     const std::size_t hint = err.find("its.dds: a DDS does not say");
     if (hint == std::string::npos) return "";
@@ -133,11 +133,11 @@ TEST_F(ConvertPresetTest, EveryCubeComesBackTheSame) {
     const Outcome dds = run("convert map.exr --to cube --size 16 --format float32 --mips -o its.dds --for " + name);
     EXPECT_EQ(dds.exit_code, 0);
     const bool is_ours = program.slots == kOurs;
-    EXPECT_EQ(readingHint(dds.err), is_ours
-                           ? ""
-                           : "mirrorball: note: its.dds: a DDS does not say what map it holds; to read this one, add "
-                             "--from cube:for=" +
-                                 name + "\n");
+    EXPECT_EQ(readingHint(dds.err),
+              is_ours ? ""
+                      : "mirrorball: note: its.dds: a DDS does not say what map it holds; to read this one, add "
+                        "--from cube:for=" +
+                            name + "\n");
     EXPECT_TRUE(panoramaOf("its.dds --from cube:for=" + name) == ours) << name << ", DDS";
     EXPECT_EQ(panoramaOf("its.dds") == ours, is_ours) << name << ", DDS";
   }

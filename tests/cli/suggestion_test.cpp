@@ -72,7 +72,7 @@ TEST_F(SuggestionTest, WhatNothingMeansIsNotSuggested) {
 
 TEST_F(SuggestionTest, WhatThereIsNotIsTold) {
   expectHints({{"render --aperture 2.8", "pictures are in focus at all distances"},
-               {"render --motion-blur 1", "there is no motion blur"}});
+               {"render --motion-blur 1", "motion blur is not simulated"}});
 }
 
 TEST_F(SuggestionTest, AMaterialsParameterMayHaveAnothersName) {

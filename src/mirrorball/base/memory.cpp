@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "mirrorball/base/text.h"
@@ -48,6 +49,16 @@ tl::unexpected<Error> tooMuch(std::uint64_t bytes) {
 }  // namespace
 
 std::uint64_t memoryLimit() { return limit(); }
+
+std::uint64_t addressSpaceLeft() {
+  rlimit bound{};
+  if (::getrlimit(RLIMIT_AS, &bound) != 0 || bound.rlim_cur == RLIM_INFINITY) return UINT64_MAX;
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t pages = 0;
+  if (!(file >> pages)) return UINT64_MAX;
+  const std::uint64_t taken = pages * std::uint64_t(std::max(::sysconf(_SC_PAGE_SIZE), 1L));
+  return std::uint64_t(bound.rlim_cur) - std::min(taken, std::uint64_t(bound.rlim_cur));
+}
 
 void setMemoryLimit(std::uint64_t bytes) { limit() = bytes; }
 

@@ -17,6 +17,10 @@ std::uint64_t memoryLimit();
 /// Changes this limit for the whole process.
 void setMemoryLimit(std::uint64_t bytes);
 
+/// The addresses that this process may still take [bytes], where `ulimit -v` or a service's limit bounds them; else
+/// UINT64_MAX. Some libraries end the process when addresses run out.
+std::uint64_t addressSpaceLeft();
+
 /// Refuses to take more memory than the limit, or than a MemoryShare of this thread has left. Called before memory is
 /// taken whose size a file states.
 ///

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 namespace mirrorball {
 namespace {
@@ -102,6 +103,21 @@ TEST(MemoryBudget, IsNotExceededByManyThreads) {
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(taken, 100);
+}
+#endif
+
+#if GTEST_IS_THREADSAFE  // browsers have no such limits
+TEST(AddressSpace, IsBoundedWhereTheProcessIs) {
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &usual), 0);
+  if (usual.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "the tests themselves are bounded";
+  EXPECT_EQ(addressSpaceLeft(), UINT64_MAX);
+  constexpr std::uint64_t kBound = std::uint64_t{1} << 40;
+  const rlimit bounded{kBound, usual.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &bounded), 0);
+  const std::uint64_t left = addressSpaceLeft();
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &usual), 0);
+  EXPECT_LT(left, kBound);
 }
 #endif
 

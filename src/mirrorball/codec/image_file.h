@@ -108,7 +108,7 @@ Result<Image> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressF
 /// errors   as decodeImage's
 Result<Texels> decodeColorTexture(std::span<const std::uint8_t> bytes);
 
-/// Decodes a texture whose numbers are no colours: codes of 8 bits as decodeTexture does; finer ones, and floats, as
+/// Decodes a texture whose numbers are not colours: codes of 8 bits as decodeTexture does; finer ones, and floats, as
 /// decodeNumbers does.
 ///
 /// returns  4 channels, alpha 1 where the file has none

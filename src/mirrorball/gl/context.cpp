@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/gl/context_state.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/handle.h"
@@ -40,6 +42,11 @@ struct Context::State {
 };
 
 Result<Context> Context::createHeadless(Api api) {
+  // Where addresses end, Mesa's compilers free what they have not got, and the process ends.
+  constexpr std::uint64_t kOfDriver = std::uint64_t{1} << 30;
+  if (addressSpaceLeft() < kOfDriver)
+    return fail(ErrorCode::too_large, "an OpenGL driver needs " + textOfBytes(kOfDriver) +
+                                          " of addresses, which `ulimit -v` does not leave; raise that");
   MIRRORBALL_TRY(made, makeHeadlessContext(api));
   enableExtensions();
   setOurState(api);

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
@@ -97,6 +98,21 @@ TEST(ContextDeathTest, AnOldDriverIsNamedWithItsVersion) {
   if (context.version().find("Mesa") == std::string::npos) {
     GTEST_SKIP() << "only Mesa can pretend to be an older version";
   }
+}
+
+// Mesa's compilers would end the process.
+TEST(ContextInLittleSpace, IsRefused) {
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &usual), 0);
+  if (usual.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "the tests themselves are bounded";
+  // The address sanitizer takes more than any bound; what is left of one that is smaller is nothing.
+  const rlimit bounded{rlim_t{1} << 30, usual.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &bounded), 0);
+  const auto refused = Context::createHeadless(Api::desktop43);
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &usual), 0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_NE(refused.error().message.find("ulimit -v"), std::string::npos);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace mirrorball {
 ///          texels, which would make a surface rough between any two texels seen from nearby
 std::vector<Image8> normalLevels(const Image8& normals, float zero);
 
-/// The same of numbers: the levels hold the means themselves, decoded, and nothing is rounded.
+/// Levels of numbers: they hold the means themselves, decoded, and nothing is rounded.
 ///
 /// zero     the same, of 255; 0 where the normals are not encoded
 std::vector<Image> decodedNormalLevels(const Image& normals, float zero);

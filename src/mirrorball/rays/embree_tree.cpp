@@ -5,6 +5,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/rays/ray_tree.h"
 #include "mirrorball/scene/box.h"
 
@@ -151,7 +152,21 @@ std::optional<Hit> EmbreeTree::hit(glm::vec3 origin, glm::vec3 direction, float 
 
 RayTracer fastestRayTracer() { return RayTracer::embree; }
 
+namespace {
+
+/// Whether there are enough addresses for Embree. Where they end while its threads or TBB's pools begin, it crashes or hangs instead of
+/// failing.
+bool hasRoom(const Scene& scene) {
+  constexpr std::uint64_t kOfThreadsAndPools = std::uint64_t{1} << 30, kOfTriangle = 400;
+  std::uint64_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes) triangles += mesh.indices.size() / 3;
+  return addressSpaceLeft() >= kOfThreadsAndPools + kOfTriangle * triangles;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<RayTree>> embreeTree(const Scene& scene, const PrismsOfInstances& prisms) {
+  if (!hasRoom(scene)) return fail(ErrorCode::unsupported, "Embree has too little address space");
   RTCDevice device = rtcNewDevice(nullptr);
   if (!device) return fail(ErrorCode::unsupported, "Embree cannot be started on this processor");
   auto tree = std::make_unique<EmbreeTree>(device, scene, prisms);

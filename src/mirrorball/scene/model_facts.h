@@ -18,7 +18,7 @@ struct MaterialMapFact {
   bool has_floats = false;
 };
 
-/// What is said of a material.
+/// The parameters and the pictures of a material.
 struct MaterialFacts {
   std::string name;
   std::vector<std::pair<std::string_view, std::string>> parameters;  ///< that differ from glTF's defaults, as written

@@ -37,7 +37,7 @@ tl::unexpected<Error> avifFailure(avifResult result, std::size_t size) {
   }
 }
 
-/// The size that the file's AV1 data says it has; nothing where it cannot be told.
+/// The size that the file's AV1 data says it has; nothing where that is not known.
 std::optional<glm::uvec2> codedSize(const avifDecoder& decoder, Span bytes) {
   avifExtent extent{};
   if (avifDecoderNthImageMaxExtent(&decoder, 0, &extent) != AVIF_RESULT_OK) return std::nullopt;

@@ -272,16 +272,16 @@ TEST(Zstandard, TellsHowFarItIsAndCanBeStopped) {
   MIRRORBALL_NEEDS(checkZstandard());
   Bytes bytes(std::size_t{20} << 20);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i >> 7);
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> steps;
   const auto packed = packZstandard(bytes, 1, [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, bytes.size());
-    told.push_back(done);
+    steps.push_back(done);
     return true;
   });
   ASSERT_TRUE(packed) << packed.error().message;
-  EXPECT_GE(told.size(), 20u);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.back(), bytes.size());
+  EXPECT_GE(steps.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  EXPECT_EQ(steps.back(), bytes.size());
   Bytes unpacked(bytes.size());
   ASSERT_TRUE(unpackZstandard(*packed, unpacked));
   EXPECT_TRUE(unpacked == bytes);

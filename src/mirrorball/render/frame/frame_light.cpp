@@ -84,7 +84,8 @@ Result<void> FrameLight::placeProxy(StagedScene& staged, const FrameSettings& se
 }
 
 Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& environment_from_world) {
-  constexpr int kLights = 256;
+  // Half floats, which OpenGL ES adds the shadows up in, would lose more of smaller shares.
+  const int count = device_->context.api() == gl::Api::desktop43 ? 512 : 256;
   const std::uint64_t scene = staged.version(StagePart::meshes | StagePart::transforms | StagePart::materials);
   const ShadowOf wanted{environment_from_world, scene, light_->version(), light().unit()};
   if (shadow_of_ == wanted) return {};
@@ -97,7 +98,7 @@ Result<void> FrameLight::makeGroundShadow(StagedScene& staged, const glm::mat3& 
     ground_shadow_ = std::move(made);
     shadow_casters_ = casters;
   }
-  const GroundLights lights = groundLights(light_->environment(), *sampler, environment_from_world, kLights);
+  const GroundLights lights = groundLights(light_->environment(), *sampler, environment_from_world, count);
   ground_shadow_->draw(staged.scene(), staged.bounds(), proxy_.proxy(), lights);
   if (hasCaustics(staged.scene())) {
     MIRRORBALL_TRY(rays, staged.rays());

@@ -22,8 +22,8 @@ std::optional<GroundLight> groundLightAt(const Environment& environment, const L
 
 namespace {
 
-/// A direction of the upper half, chosen as often as it lights a level ground under an even sky: Malley's method (Pharr,
-/// Jakob & Humphreys 2023, "Physically Based Rendering", A.5.3).
+/// A direction of the upper half, chosen as often as it lights a level ground under an even sky: Malley's method
+/// (Pharr, Jakob & Humphreys 2023, "Physically Based Rendering", A.5.3).
 glm::vec3 cosineDirection(glm::vec2 u) {
   const float radius = std::sqrt(u.x), angle = formula::kTwoPi * u.y;
   return {radius * std::cos(angle), std::sqrt(std::max(1.0f - u.x, 0.0f)), radius * std::sin(angle)};

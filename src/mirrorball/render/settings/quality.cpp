@@ -64,12 +64,12 @@ bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::str
 
 /// Of the options that are given those that ask for something: a classic technique at its default asks for nothing, and
 /// no probes show nothing.
-std::set<std::string_view> sayingOtherwise(std::set<std::string_view> given, const FrameSettings& settings) {
+std::set<std::string_view> sayingOtherwise(std::set<std::string_view> options, const FrameSettings& settings) {
   for (const Option<FrameSettings>& option : frameOptions())
     if (contains(kClassicTechniques, option.text.name) && written(option, settings) == written(option, FrameSettings()))
-      given.erase(option.text.name);
-  if (settings.probes == 0) given.erase("probes");
-  return given;
+      options.erase(option.text.name);
+  if (settings.probes == 0) options.erase("probes");
+  return options;
 }
 
 /// "{option:self-reflection}", "{option:behind} screen"

@@ -40,7 +40,7 @@ Texture noise(int width, int height, unsigned seed) {
 
 /// A texture of its own for each map, no two alike in size or in how they are read.
 ///
-/// with_numbers   every other one that is no colour holds floats
+/// with_numbers   every other one that is not a colour holds floats
 void giveEveryMapATexture(Scene& scene, float repeats, bool with_numbers = false) {
   for (std::size_t row = 0; row < materialMaps().size(); ++row) {
     const auto number = static_cast<int>(row);

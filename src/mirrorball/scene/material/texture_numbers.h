@@ -16,7 +16,7 @@ TextureUse useOf(const MaterialMap& map);
 
 /// Gives a texture what its file holds. Codes stay as they are. Floats are linear; what is not finite becomes the mean
 /// of its neighbours; factors are cut to 0 … 1 and light to 0 … 65504; normals stay as they are, but blue, where the
-/// file has none, becomes that of unit normals. Grey normals stay, but are told of.
+/// file has none, becomes that of unit normals. Grey normals stay, and are reported.
 ///
 /// texels   4 channels
 /// returns  what was changed, for remarks: "has …"

@@ -12,7 +12,7 @@ MIRRORBALL_HARNESS(cache) {
   static const fuzz::Folder folder("mirrorball_cache");
   const CacheFolder files(folder.path());
   const std::string key(32, 'a');
-  Scene scene = sceneOf(cubeMesh());
+  Scene scene = meshScene(cubeMesh());
   files.keep(key, CachedKind::occlusion, [&](const FileWriter& file) { return file.writeAt(0, {data, size}); });
   if (!OcclusionCache(files).find(key, size % 2 == 1, scene)) return 0;
   const Mesh& mesh = scene.meshes[0];

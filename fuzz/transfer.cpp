@@ -43,7 +43,7 @@ Mesh madeMesh(MadeInput& input) {
 
 /// A scene of it where it stands, or stretched.
 Scene madeScene(MadeInput& input) {
-  Scene scene = sceneOf(madeMesh(input));
+  Scene scene = meshScene(madeMesh(input));
   if (input.upTo(1) == 0 || scene.instances.empty()) return scene;
   const glm::vec3 stretch = glm::abs(madeVector(input)) * input.powerOfTwo();
   if (!(stretch.x * stretch.y * stretch.z > 0.0f) || std::max({stretch.x, stretch.y, stretch.z}) > 1e30f) return scene;
@@ -131,6 +131,6 @@ MIRRORBALL_HARNESS(transfer) {
   for (const Vertex& vertex : flat->mesh.vertices)
     check(glm::all(glm::lessThanEqual(glm::abs(vertex.uv[0] - 0.5f), glm::vec2(0.5f + 1e-5f))),
           "charts are in the map");
-  transferBetween(high, sceneOf(flat->mesh), settings);
+  transferBetween(high, meshScene(flat->mesh), settings);
   return 0;
 }

@@ -190,7 +190,7 @@ Result<Scene> lightModelOf(const Scene& high, const TransferRequest& request) {
        counted(flat.charts, "chart") +
        formatted(", stretch %.3f (%.2f at most), on %.0f %% of the map", flat.stretch, flat.worst_stretch,
                  100.0 * flat.used));
-  return sceneOf(std::move(flat.mesh), withoutMaps(materialOf(high, 0)));
+  return meshScene(std::move(flat.mesh), withoutMaps(materialOf(high, 0)));
 }
 
 /// Says what of the maps may not be as it was meant.

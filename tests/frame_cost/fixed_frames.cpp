@@ -16,14 +16,14 @@ namespace {
 
 Result<Scene> ballOf(std::string_view material) {
   MIRRORBALL_TRY(made, materialNamed(std::string(material)));
-  return sceneOf(sphereMesh(64, 128), made);
+  return meshScene(sphereMesh(64, 128), made);
 }
 
 Result<Scene> cobbledPlane() {
   Material material;
   material.height = HeightKind::cobbles;
   material.perceptual_roughness = 0.4f;
-  return sceneOf(planeMesh(), material);
+  return meshScene(planeMesh(), material);
 }
 
 /// Four channels of noise, whose mip levels and neighbours all differ.

@@ -141,7 +141,7 @@ std::vector<Input> scenes() {
   return inputs;
 }
 
-Scene sceneOf(const Input& input) {
+Scene meshScene(const Input& input) {
   return {.to_eye = glm::vec3(input.p),
           .normal = glm::vec3(input.q),
           .albedo = glm::vec3(input.r.y),
@@ -177,7 +177,7 @@ class EngineShader : public gl::GlTest {
     ASSERT_TRUE(found) << found.error().message;
     float worst = 0.0f;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const Scene scene = sceneOf(inputs[i]);
+      const Scene scene = meshScene(inputs[i]);
       const glm::vec3 off = glm::vec3(rgbaAt(*found, static_cast<int>(i), 0)) - expectedLight(scene, tables);
       ASSERT_TRUE(std::isfinite(off.x + off.y + off.z)) << i;
       worst = std::max({worst, std::abs(off.x), std::abs(off.y), std::abs(off.z)});

@@ -38,7 +38,7 @@ TEST(BumpMaps, ObjectSpaceTurnsWithItsInstance) {
   Material material;
   material.normal_map.texture = 0;
   material.normal_space = NormalSpace::object;
-  Scene scene = sceneOf(testing::mirroredPair(), material);
+  Scene scene = meshScene(testing::mirroredPair(), material);
   Image normals(1, 1, 3);
   normals.texel(0, 0)[0] = 0.6f;
   normals.texel(0, 0)[2] = 0.8f;

@@ -58,7 +58,7 @@ Scene twoBalls() {
   material.iridescence = 0.5f;
   material.emission = glm::vec3(1.0f);
   material.clearcoat = 0.5f;
-  Scene scene = sceneOf(sphereMesh(12, 24), material);
+  Scene scene = meshScene(sphereMesh(12, 24), material);
   scene.instances.push_back(scene.instances.front());
   scene.instances[1].world_from_object[3] = glm::vec4(1.2f, 0.0f, 0.0f, 1.0f);
   scene.textures.push_back(noise());

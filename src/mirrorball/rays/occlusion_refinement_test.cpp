@@ -30,7 +30,7 @@ Scene ballOnFloor(float half, glm::vec2 at) {
   for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)})
     floor.vertices.push_back({.position = half * glm::vec3(corner.x, 0.0f, corner.y), .normal = {0, 1, 0}});
   floor.indices = {0, 1, 2, 0, 2, 3};
-  Scene scene = sceneOf(std::move(floor));
+  Scene scene = meshScene(std::move(floor));
   scene.meshes.push_back(sphereMesh(16, 32));
   scene.instances.push_back({.mesh = 1});
   scene.instances[1].world_from_object[3] = glm::vec4(at.x, 1.0f, at.y, 1.0f);
@@ -143,7 +143,7 @@ TEST(OcclusionRefinement, TakesMeshesThatAreNotSound) {
   scene.meshes[1].edit().vertices[5].position.y = std::numeric_limits<float>::infinity();
   refinementsOf(scene);
   refinementsOf(Scene());
-  refinementsOf(sceneOf(Mesh()));
+  refinementsOf(meshScene(Mesh()));
 }
 
 TEST(OcclusionRefinement, StopsWhenTold) {

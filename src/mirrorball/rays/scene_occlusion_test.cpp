@@ -56,7 +56,7 @@ Mesh gridMesh(float half, int squares) {
 
 /// A plane and a ball of that radius above it.
 Scene ballOverPlane(float radius, float height, Material of_ball = matt(0.0f)) {
-  Scene scene = sceneOf(gridMesh(2.0f, 20), matt(0.0f));
+  Scene scene = meshScene(gridMesh(2.0f, 20), matt(0.0f));
   Mesh ball = sphereMesh(24, 48);
   ball.material = 1;
   scene.materials.push_back(std::move(of_ball));
@@ -120,7 +120,7 @@ TEST(SceneOcclusion, AClosedBodyHasNoBacks) {
 // Between a white sheet and a black floor below it, close to each other, hardly any light arrives: none that falls on
 // the sheet's upper side comes through to the lower one.
 TEST(SceneOcclusion, ASheetLetsNoLightThrough) {
-  Scene scene = sceneOf(gridMesh(2.0f, 20), matt(0.0f));
+  Scene scene = meshScene(gridMesh(2.0f, 20), matt(0.0f));
   scene.meshes.push_back(gridMesh(2.0f, 20));
   scene.meshes[1].edit().material = 1;
   scene.materials.push_back(matt(0.9f));
@@ -207,7 +207,7 @@ TEST(SceneOcclusion, WhatShinesIsReflected) {
 
 /// A floor of 2 × 2, and above it a panel of as much that faces it and shines.
 Scene panelOverFloor(Material panel, float height) {
-  Scene scene = sceneOf(gridMesh(1.0f, 8), matt(0.0f));
+  Scene scene = meshScene(gridMesh(1.0f, 8), matt(0.0f));
   Mesh mesh;
   for (const glm::vec2 at : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
     mesh.vertices.push_back({.position = {at.x, height, at.y}, .normal = {0.0f, -1.0f, 0.0f}});
@@ -265,7 +265,7 @@ TEST(SceneOcclusion, ASmallWindowOfATextureShines) {
 
 // A floor in front of a wall is shown the wall's front, which is lit from in front and from above.
 TEST(SceneOcclusion, WhatIsShownIsLitFromWhereItIsOpen) {
-  Scene scene = sceneOf(gridMesh(1.0f, 20), matt(0.5f));
+  Scene scene = meshScene(gridMesh(1.0f, 20), matt(0.5f));
   const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
   scene.instances.push_back(
       {.mesh = 0, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 1, -1)) * upright});
@@ -284,13 +284,13 @@ TEST(SceneOcclusion, WhatIsShownIsLitFromWhereItIsOpen) {
 
 // The flat triangles of a coarse ball lie below the horizon of its smooth normals.
 TEST(SceneOcclusion, ACoarseBallHidesNothingFromItself) {
-  const Scene ball = withOcclusion(sceneOf(sphereMesh(6, 12), matt(0.5f)), 256);
+  const Scene ball = withOcclusion(meshScene(sphereMesh(6, 12), matt(0.5f)), 256);
   for (const VertexOcclusion& occlusion : ball.instances[0].occlusion) EXPECT_EQ(occlusion.open, 1.0f);
 }
 
 // Where walls meet, a wall's corners see what its places near by see: half of the sky at a right angle.
 TEST(SceneOcclusion, AWallHidesHalfFromTheFloorBesideIt) {
-  Scene scene = sceneOf(gridMesh(1.0f, 20), matt(0.0f));
+  Scene scene = meshScene(gridMesh(1.0f, 20), matt(0.0f));
   const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
   scene.instances.push_back({.mesh = 0,
                              .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 1, -1)) *
@@ -369,7 +369,7 @@ TEST(SceneOcclusion, TakesMeshesThatAreNotSound) {
   mesh.vertices.push_back({});                            // of no triangle
   Material shining = matt(0.5f);
   shining.emission = glm::vec3(1.0f);
-  const Scene scene = withOcclusion(sceneOf(std::move(mesh), shining), 64);
+  const Scene scene = withOcclusion(meshScene(std::move(mesh), shining), 64);
   for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
     EXPECT_EQ(occlusion.open, 1.0f);
     EXPECT_EQ(occlusion.occluded, glm::vec3(0.0f));
@@ -378,7 +378,7 @@ TEST(SceneOcclusion, TakesMeshesThatAreNotSound) {
     EXPECT_EQ(occlusion.emitted, glm::vec3(0.0f));
   }
   EXPECT_TRUE(withOcclusion(Scene(), 0).instances.empty());
-  EXPECT_THAT(withOcclusion(sceneOf(Mesh(), matt(0.5f)), 0).instances[0].occlusion, SizeIs(0));
+  EXPECT_THAT(withOcclusion(meshScene(Mesh(), matt(0.5f)), 0).instances[0].occlusion, SizeIs(0));
 }
 
 TEST(SceneOcclusion, StopsWhenTold) {
@@ -393,7 +393,7 @@ TEST(SceneOcclusion, StopsWhenTold) {
 
 // A texture of two halves: what lies in one of them looks as that does, and on their border between both.
 TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
-  Scene scene = sceneOf(gridMesh(1.0f, 4), matt(0.5f));
+  Scene scene = meshScene(gridMesh(1.0f, 4), matt(0.5f));
   for (Vertex& vertex : scene.meshes[0].edit().vertices)
     vertex.uv[0] = 0.5f + 0.5f * glm::vec2(vertex.position.x, vertex.position.z);
   Texture halves{.image = Image8(64, 1, 4)};

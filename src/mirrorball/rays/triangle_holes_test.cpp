@@ -22,7 +22,7 @@ Scene checkeredSquare() {
     mesh.vertices.push_back(vertex);
   }
   mesh.indices = {0, 1, 2, 0, 2, 3};
-  Scene scene = sceneOf(std::move(mesh), Material{});
+  Scene scene = meshScene(std::move(mesh), Material{});
   Image8 squares(8, 8, 4, 255);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column)

@@ -90,13 +90,13 @@ inline Scene bumpyScene(Mesh mesh, BumpForm form, Material material, Image heigh
       material.height_texture = 0;
       material.height_scale = depth;
       material.height_frequency = 1.0f;
-      Scene scene = sceneOf(std::move(mesh), std::move(material));
+      Scene scene = meshScene(std::move(mesh), std::move(material));
       scene.height_textures.push_back(*heightTexture(std::move(heights), MapEdges::tiled));
       return scene;
     }
     case BumpForm::normal_map: {
       material.normal_map.texture = 0;
-      Scene scene = sceneOf(std::move(mesh), std::move(material));
+      Scene scene = meshScene(std::move(mesh), std::move(material));
       scene.textures.push_back(textureOfNormals(*normalsFromHeights(heights, settings)));
       return scene;
     }
@@ -104,7 +104,7 @@ inline Scene bumpyScene(Mesh mesh, BumpForm form, Material material, Image heigh
       break;
   }
   material.slope_texture = 0;
-  Scene scene = sceneOf(std::move(mesh), std::move(material));
+  Scene scene = meshScene(std::move(mesh), std::move(material));
   scene.slope_textures.push_back(*derivativesFromHeights(heights, settings));
   return scene;
 }

@@ -19,7 +19,7 @@ namespace mirrorball::testing {
 inline Scene glassOf(Mesh mesh) {
   Material glass;
   glass.transmission = 1.0f;
-  return sceneOf(std::move(mesh), glass);
+  return meshScene(std::move(mesh), glass);
 }
 
 /// The volume inside a closed mesh, negative where it is turned inside out.

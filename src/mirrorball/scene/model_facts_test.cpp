@@ -20,7 +20,7 @@ TEST(ModelFacts, AreWhatDiffersFromGltfsDefaultsAndThePictures) {
   Material material = gltf::defaultMaterial();
   material.name = "paint";
   material.metallic = 0.25f;
-  Scene scene = sceneOf(sphereMesh(), material);
+  Scene scene = meshScene(sphereMesh(), material);
   scene.textures = {{.image = Image8(8, 4, 4)}, {.image = Image(2, 2, 4)}};
   scene.materials[0].base_color_map.texture = 0;
   scene.materials[0].normal_map.texture = 1;
@@ -37,7 +37,7 @@ TEST(ModelFacts, AreWhatDiffersFromGltfsDefaultsAndThePictures) {
 }
 
 TEST(ModelFacts, MistakesAreTold) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   scene.materials[0].base_color = glm::vec3(0.0f);
   EXPECT_THAT(likelyMistakes(scene), ElementsAre(HasSubstr("all base colours are black")));
   scene.materials[0].base_color = glm::vec3(0.5f);
@@ -51,7 +51,7 @@ TEST(ModelFacts, MistakesAreTold) {
   for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] = vertex.uv[1] = glm::vec2(0.0f);
   EXPECT_THAT(likelyMistakes(scene), Contains(HasSubstr("no texture coordinates")));
   for (const float scale : {1e-4f, 1e5f}) {
-    Scene sized = sceneOf(sphereMesh());
+    Scene sized = meshScene(sphereMesh());
     sized.instances[0].world_from_object = glm::mat4(glm::mat3(scale));
     EXPECT_THAT(likelyMistakes(sized), ElementsAre(HasSubstr(scale < 1.0f ? "a millimetre" : "a kilometre")));
   }

@@ -20,7 +20,7 @@ bool knowsBacks(const Scene& scene, std::size_t instance) {
   return of.occlusion.size() > scene.meshes[std::size_t(of.mesh)]->vertices.size();
 }
 
-Scene sceneOf(Mesh mesh, Material material) {
+Scene meshScene(Mesh mesh, Material material) {
   Scene scene;
   mesh.material = 0;
   scene.meshes.push_back(std::move(mesh));

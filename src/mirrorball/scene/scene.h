@@ -105,7 +105,7 @@ const Material& materialOf(const Scene& scene, std::size_t instance);
 bool knowsBacks(const Scene& scene, std::size_t instance);
 
 /// A scene of one mesh where it is, with one material.
-Scene sceneOf(Mesh mesh, Material material = {});
+Scene meshScene(Mesh mesh, Material material = {});
 
 /// Gives every mesh the material that it has in one of the scene's variants.
 ///

@@ -9,7 +9,7 @@ namespace mirrorball {
 namespace {
 
 TEST(StandUpright, TurnsZUpwardsAndLeavesXOnTheRight) {
-  Scene scene = sceneOf(cubeMesh());
+  Scene scene = meshScene(cubeMesh());
   scene.instances[0].world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(1, 2, 3));
   standUpright(scene, UpAxis::y);
   EXPECT_EQ(glm::vec3(scene.instances[0].world_from_object[3]), glm::vec3(1, 2, 3));
@@ -19,13 +19,13 @@ TEST(StandUpright, TurnsZUpwardsAndLeavesXOnTheRight) {
 }
 
 TEST(BoundingSphere, OfASphereIsExact) {
-  const BoundingSphere bounds = boundingSphere(sceneOf(sphereMesh(16, 32)));
+  const BoundingSphere bounds = boundingSphere(meshScene(sphereMesh(16, 32)));
   EXPECT_EQ(bounds.center, glm::vec3(0.0f));
   EXPECT_NEAR(bounds.radius, 1.0f, 1e-6f);
 }
 
 TEST(BoundingSphere, FollowsTheInstances) {
-  Scene scene = sceneOf(sphereMesh(16, 32));
+  Scene scene = meshScene(sphereMesh(16, 32));
   scene.instances[0].world_from_object =
       glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(3, 4, 5)), glm::vec3(2.0f));
   const BoundingSphere bounds = boundingSphere(scene);
@@ -44,7 +44,7 @@ TEST(BoundingSphere, OfAPointIsNotZero) {
   mesh.vertices.resize(3);
   for (Vertex& vertex : mesh.vertices) vertex.position = glm::vec3(7.0f);
   mesh.indices = {0, 1, 2};
-  const BoundingSphere bounds = boundingSphere(sceneOf(mesh));
+  const BoundingSphere bounds = boundingSphere(meshScene(mesh));
   EXPECT_EQ(bounds.center, glm::vec3(7.0f));
   EXPECT_GT(bounds.radius, 0.0f);
 }

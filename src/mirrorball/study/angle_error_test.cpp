@@ -26,7 +26,7 @@ TEST(AngleError, TheCosinesOfASphereAreThoseOfItsRays) {
   ASSERT_TRUE(renderer->setEnvironment(environmentOfDirections()));
   FrameSettings frame{.size = {64, 48}};
   frame.camera.distance = 3.0f;
-  const Scene scene = sceneOf(sphereMesh());
+  const Scene scene = meshScene(sphereMesh());
   const auto cosines = cosinesOf(*renderer, scene, frame);
   ASSERT_TRUE(cosines) << cosines.error().message;
 

@@ -60,7 +60,7 @@ glm::vec3 angleAsLight(glm::vec3 d) {
 
 /// A prism of SF11 that mirrors nothing.
 Scene clearPrism() {
-  Scene scene = sceneOf(prismMesh(), *materialNamed("sf11"));
+  Scene scene = meshScene(prismMesh(), *materialNamed("sf11"));
   EXPECT_TRUE(setParameter(scene.materials[0], "specular=0"));
   return scene;
 }
@@ -181,11 +181,11 @@ TEST_F(Dispersion, WhiteStaysWhite) {
     for (const int wavelengths : {8, 16}) {
       frame.refraction = kind;
       frame.wavelengths = wavelengths;
-      testing::expectFurnaceWhite(drawn(sceneOf(prismMesh(), glass), white, frame), "prism", 2e-3f);
-      testing::expectFurnaceWhite(drawn(sceneOf(sphereMesh(24, 48), glass), white, frame), "sphere", 2e-3f);
+      testing::expectFurnaceWhite(drawn(meshScene(prismMesh(), glass), white, frame), "prism", 2e-3f);
+      testing::expectFurnaceWhite(drawn(meshScene(sphereMesh(24, 48), glass), white, frame), "sphere", 2e-3f);
     }
   frame.wavelength_nm = 450.0f;
-  testing::expectFurnaceWhite(drawn(sceneOf(brilliantMesh(), glass), white, frame), "450 nm", 2e-3f);
+  testing::expectFurnaceWhite(drawn(meshScene(brilliantMesh(), glass), white, frame), "450 nm", 2e-3f);
 }
 
 /// The studio in as much detail as small pictures need.
@@ -204,7 +204,7 @@ FrameSettings shotOfSpectrum() {
 TEST_F(Dispersion, WhatDoesNotDisperseIsTheSame) {
   FrameSettings frame = shotOfSpectrum();
   frame.samples = 2;
-  Scene crown = sceneOf(prismMesh(), *materialNamed("sf11"));
+  Scene crown = meshScene(prismMesh(), *materialNamed("sf11"));
   ASSERT_TRUE(setParameter(crown.materials[0], "dispersion=0"));
   const Image channels = drawn(crown, studioOfDispersion(), frame);
   frame.dispersion = DispersionKind::spectral;
@@ -218,7 +218,7 @@ TEST_F(Dispersion, WhatDoesNotDisperseIsTheSame) {
 // Three images of a lamp are no spectrum; what the paths of single wavelengths sum up to is.
 TEST_F(Dispersion, TheSpectrumIsTheReferences) {
   const Environment studio = studioOfDispersion();
-  const Scene prism = sceneOf(prismMesh(), *materialNamed("sf11"));
+  const Scene prism = meshScene(prismMesh(), *materialNamed("sf11"));
   FrameSettings frame = shotOfSpectrum();
   frame.samples = 8;
   const Image truth = traced(prism, studio, frame, {.samples = 1024, .bounces = 1, .is_unoccluded = true});

@@ -128,7 +128,7 @@ Material matt() {
 
 /// A mesh of another material on that floor.
 Scene onFloor(Mesh mesh, float height) {
-  Scene scene = sceneOf(floorMesh(), matt());
+  Scene scene = meshScene(floorMesh(), matt());
   scene.materials.push_back(matt());
   scene.materials[1].base_color = glm::vec3(0.8f, 0.5f, 0.3f);
   mesh.material = 1;

@@ -23,7 +23,7 @@ Environment smallStudio() { return Environment(*convert(*builtinEnvironment("stu
 
 StudySettings small() { return {.frame = {.size = {32, 32}, .samples = 4}, .paths = 32}; }
 
-Scene mirrorSphere() { return sceneOf(sphereMesh(24, 48), *materialNamed("mirror")); }
+Scene mirrorSphere() { return meshScene(sphereMesh(24, 48), *materialNamed("mirror")); }
 
 Result<Study> studied(Scene scene, const StudySettings& settings, const StudyObserver& observer = {}) {
   MIRRORBALL_TRY(context, gl::Context::createHeadless());

@@ -44,7 +44,7 @@ void forEachPlace(const Scene& low, int side, const Visit& visit) {
 }
 
 TEST(TransferDetail, OfAPlateWithWavesHasTheirHeightsAndNormals) {
-  const Scene high = sceneOf(plateMesh(400, waveAt)), low = sceneOf(flatPlate());
+  const Scene high = meshScene(plateMesh(400, waveAt)), low = meshScene(flatPlate());
   constexpr int kSide = 64;
   for (const float cage : {0.0f, 0.05f}) {
     const auto detail =
@@ -63,8 +63,8 @@ TEST(TransferDetail, OfAPlateWithWavesHasTheirHeightsAndNormals) {
 }
 
 TEST(TransferDetail, OfADenseSphereMakesACoarseOneSmooth) {
-  const Scene high = sceneOf(sphereMesh(256, 512));
-  const Scene low = sceneOf(sphereMesh(8, 16));
+  const Scene high = meshScene(sphereMesh(256, 512));
+  const Scene low = meshScene(sphereMesh(8, 16));
   constexpr int kSide = 128;
   for (const NormalSpace space : {NormalSpace::tangent, NormalSpace::object}) {
     const auto detail = transferDetail(high, low, {.size = {kSide, kSide}, .samples_side = 1, .space = space});
@@ -83,13 +83,13 @@ TEST(TransferDetail, OfADenseSphereMakesACoarseOneSmooth) {
 }
 
 TEST(TransferDetail, ReadsTheNormalMapOfTheDenseModel) {
-  Scene high = sceneOf(flatPlate());
+  Scene high = meshScene(flatPlate());
   Texture texture{.image = Image8(1, 1, 4, 255)};
   for (const int channel : {0, 1, 2})
     texture.image.edit().texel(0, 0)[channel] = std::uint8_t(channel == 0 ? 200 : 180);
   high.textures.push_back(texture);
   high.materials[0].normal_map.texture = 0;
-  const auto detail = transferDetail(high, sceneOf(flatPlate()), {.size = {4, 4}});
+  const auto detail = transferDetail(high, meshScene(flatPlate()), {.size = {4, 4}});
   ASSERT_TRUE(detail);
   const glm::vec3 wanted = glm::normalize(glm::vec3(200, 180, 180) / 127.5f - 1.0f);
   EXPECT_LT(degreesBetween(rgbAt(detail->normals, 2, 1), wanted), 0.05f);
@@ -98,7 +98,7 @@ TEST(TransferDetail, ReadsTheNormalMapOfTheDenseModel) {
 TEST(TransferDetail, TakesManySamplesATexel) {
   // Much finer than a texel: a single sample finds this slope or that, many find the plate.
   const auto ridges = [](glm::vec2 place) { return 0.01f * std::sin(40.0f * kPi * place.x); };
-  const Scene high = sceneOf(plateMesh(500, ridges)), low = sceneOf(flatPlate());
+  const Scene high = meshScene(plateMesh(500, ridges)), low = meshScene(flatPlate());
   const auto worst = [&](int side) {
     const auto detail = transferDetail(high, low, {.size = {9, 9}, .samples_side = side});
     float angle = 0.0f;
@@ -113,10 +113,10 @@ TEST(TransferDetail, TakesManySamplesATexel) {
 TEST(TransferDetail, OcclusionIsThatOfAGroove) {
   // A corner of two half planes at right angles: in the edge half of the sky is seen, by either side's cosine.
   const auto valley = [](glm::vec2 place) { return std::abs(place.x); };
-  const Scene high = sceneOf(plateMesh(200, valley));
+  const Scene high = meshScene(plateMesh(200, valley));
   Mesh low = plateMesh(2, valley);
   const auto detail = transferDetail(
-      high, sceneOf(std::move(low)),
+      high, meshScene(std::move(low)),
       {.size = {40, 8}, .samples_side = 1, .cage = 0.05f, .wants_occlusion = true, .occlusion_rays = 1024});
   ASSERT_TRUE(detail) << detail.error().message;
   // Beside the edge: the other wall takes all directions on its side that are above the ground but beyond it.
@@ -134,19 +134,19 @@ TEST(TransferDetail, PassesWhatFacesAway) {
   Mesh high = plateMesh(2, [](glm::vec2) { return -0.05f; });
   Mesh lid = plateMesh(2, [](glm::vec2) { return 0.01f; });
   for (std::size_t i = 0; i < lid.indices.size(); i += 3) std::swap(lid.indices[i + 1], lid.indices[i + 2]);
-  Scene both = sceneOf(std::move(high));
+  Scene both = meshScene(std::move(high));
   both.meshes.push_back(std::move(lid));
   both.instances.push_back({1});
   for (const float cage : {0.0f, 0.1f}) {
     const auto detail =
-        transferDetail(both, sceneOf(flatPlate()), {.size = {4, 4}, .cage = cage, .wants_heights = true});
+        transferDetail(both, meshScene(flatPlate()), {.size = {4, 4}, .cage = cage, .wants_heights = true});
     ASSERT_TRUE(detail);
     EXPECT_NEAR(*detail->heights.texel(1, 1), -0.05f, 1e-4f);
   }
 }
 
 TEST(TransferDetail, IsTheSameForAnyNumberOfThreads) {
-  const Scene high = sceneOf(torusMesh(96, 48)), low = sceneOf(torusMesh(12, 8));
+  const Scene high = meshScene(torusMesh(96, 48)), low = meshScene(torusMesh(12, 8));
   const TransferSettings settings{
       .size = {40, 40}, .wants_heights = true, .wants_occlusion = true, .occlusion_rays = 8};
   const auto one = transferDetail(high, low, settings);
@@ -162,8 +162,8 @@ TEST(TransferDetail, IsTheSameForAnyNumberOfThreads) {
 TEST(TransferDetail, FillsTexelsBesideTheEdgesAndLeavesOthersFlat) {
   Mesh low = flatPlate();
   for (Vertex& vertex : low.vertices) vertex.uv[0] = 0.25f + 0.5f * vertex.uv[0];
-  const Scene high = sceneOf(plateMesh(8, [](glm::vec2 place) { return 0.05f * place.x; }));
-  const auto detail = transferDetail(high, sceneOf(low), {.size = {32, 32}, .padding = 3});
+  const Scene high = meshScene(plateMesh(8, [](glm::vec2 place) { return 0.05f * place.x; }));
+  const auto detail = transferDetail(high, meshScene(low), {.size = {32, 32}, .padding = 3});
   ASSERT_TRUE(detail);
   EXPECT_NEAR(detail->covered, 0.25, 1e-6);
   const glm::vec3 inside = rgbAt(detail->normals, 16, 16);
@@ -180,7 +180,7 @@ TEST(TransferDetail, OfOneTriangleAndOneTexel) {
     vertex.uv[0] = {place.x, 1.0f - place.y};
   }
   triangle.indices = {0, 1, 2};
-  const auto detail = transferDetail(sceneOf(triangle), sceneOf(triangle), {.size = {1, 1}, .samples_side = 4});
+  const auto detail = transferDetail(meshScene(triangle), meshScene(triangle), {.size = {1, 1}, .samples_side = 4});
   ASSERT_TRUE(detail) << detail.error().message;
   EXPECT_LT(degreesBetween(rgbAt(detail->normals, 0, 0), {0, 0, 1}), 0.01f);
 }
@@ -189,17 +189,17 @@ TEST(TransferDetail, CountsMirroredHalves) {
   Mesh low = plateMesh(2, [](glm::vec2) { return 0.0f; });
   for (Vertex& vertex : low.vertices) vertex.uv[0].x = std::abs(vertex.uv[0].x - 0.5f);
   computeTangents(low);
-  const auto detail = transferDetail(sceneOf(flatPlate()), sceneOf(low), {.size = {32, 32}});
+  const auto detail = transferDetail(meshScene(flatPlate()), meshScene(low), {.size = {32, 32}});
   ASSERT_TRUE(detail) << detail.error().message;
   EXPECT_NEAR(detail->overlapping, 1.0, 0.1);
 }
 
 TEST(TransferDetail, SaysWhatItCannotDo) {
-  const Scene plate = sceneOf(flatPlate());
+  const Scene plate = meshScene(flatPlate());
   Mesh bare = flatPlate();
   for (Vertex& vertex : bare.vertices) vertex.uv[0] = glm::vec2(0.0f);
   const auto message = [](const auto& result) { return result ? std::string() : result.error().message; };
-  EXPECT_NE(message(transferDetail(plate, sceneOf(bare))).find("no texture coordinates"), std::string::npos);
+  EXPECT_NE(message(transferDetail(plate, meshScene(bare))).find("no texture coordinates"), std::string::npos);
   EXPECT_NE(message(transferDetail(Scene(), plate)).find("no triangles"), std::string::npos);
   EXPECT_NE(message(transferDetail(plate, Scene())).find("no triangles"), std::string::npos);
   Scene away = plate;
@@ -215,7 +215,7 @@ TEST(TransferDetail, OfNumbersThatAreNotIsUnit) {
   broken.vertices[6].position.x = std::numeric_limits<float>::quiet_NaN();
   broken.vertices[8].normal = glm::vec3(0.0f);
   for (Vertex& vertex : broken.vertices) vertex.tangent = glm::vec4(0.0f);
-  const auto detail = transferDetail(sceneOf(flatPlate()), sceneOf(broken), {.size = {16, 16}});
+  const auto detail = transferDetail(meshScene(flatPlate()), meshScene(broken), {.size = {16, 16}});
   ASSERT_TRUE(detail) << detail.error().message;
   for (int i = 0; i < 256; ++i) EXPECT_NEAR(glm::length(rgbAt(detail->normals, i % 16, i / 16)), 1.0f, 1e-5f) << i;
 }
@@ -224,7 +224,7 @@ TEST(TransferDetail, OfNumbersThatAreNotIsUnit) {
 TEST(TransferDetail, WhatIsTooLargeForRaysIsRefused) {
   Mesh huge = testing::flatPlate();
   for (Vertex& vertex : huge.vertices) vertex.position = (vertex.position + 1.0f) * 1e20f;
-  const auto detail = transferDetail(sceneOf(testing::flatPlate()), sceneOf(huge), {.size = {4, 4}});
+  const auto detail = transferDetail(meshScene(testing::flatPlate()), meshScene(huge), {.size = {4, 4}});
   ASSERT_FALSE(detail);
   EXPECT_EQ(detail.error().code, ErrorCode::bad_shape);
 }

@@ -22,7 +22,7 @@ Image constantNormals(int width, int height, glm::vec3 n) {
 }
 
 TEST(NormalsInSpace, OfFlatMapsAreTheNormalsOfTheSphere) {
-  const Scene model = sceneOf(sphereMesh(64, 128));
+  const Scene model = meshScene(sphereMesh(64, 128));
   const auto object = normalsInSpace(constantNormals(128, 64, {0, 0, 1}), model, NormalSpace::object);
   ASSERT_TRUE(object) << object.error().message;
   const auto surface = MappedSurface::make(model);
@@ -47,10 +47,11 @@ TEST(NormalsInSpace, GoThereAndBack) {
       const glm::vec3 n = glm::normalize(glm::vec3(side(random), side(random), 1.1f + side(random)));
       for (int channel = 0; channel < 3; ++channel) normals.texel(x, y)[channel] = n[channel];
     }
-  Scene turned = sceneOf(knotMesh(64, 16));
+  Scene turned = meshScene(knotMesh(64, 16));
   turned.instances[0].world_from_object =
       glm::mat4({0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0.5f, 0.5f, 0}, {5, 6, 7, 1});  // not even by the same to all sides
-  for (const Scene& model : {sceneOf(sphereMesh(16, 32)), sceneOf(torusMesh(32, 16)), sceneOf(cubeMesh()), turned}) {
+  for (const Scene& model :
+       {meshScene(sphereMesh(16, 32)), meshScene(torusMesh(32, 16)), meshScene(cubeMesh()), turned}) {
     const auto object = normalsInSpace(normals, model, NormalSpace::object);
     const auto back = normalsInSpace(*object, model, NormalSpace::tangent);
     ASSERT_TRUE(back);
@@ -61,7 +62,7 @@ TEST(NormalsInSpace, GoThereAndBack) {
 
 // Whose squares are below the least float, or nearly.
 TEST(NormalsInSpace, AreUnitVectorsOfTinyOnes) {
-  const Scene model = sceneOf(torusMesh(32, 16));
+  const Scene model = meshScene(torusMesh(32, 16));
   const auto object = normalsInSpace(constantNormals(8, 8, {1e-22f, 0.0f, 1e-22f}), model, NormalSpace::object);
   ASSERT_TRUE(object) << object.error().message;
   for (int y = 0; y < 8; ++y)
@@ -70,7 +71,7 @@ TEST(NormalsInSpace, AreUnitVectorsOfTinyOnes) {
 
 // The frame is the one in which a surface is shaded.
 TEST(NormalsInSpace, AreWhatTheShadersMakeOfTheMap) {
-  const Scene model = sceneOf(torusMesh(32, 16));
+  const Scene model = meshScene(torusMesh(32, 16));
   const glm::vec3 n = glm::normalize(glm::vec3(0.4f, -0.3f, 0.8f));
   const auto object = normalsInSpace(constantNormals(32, 32, n), model, NormalSpace::object);
   const auto surface = MappedSurface::make(model);
@@ -101,8 +102,8 @@ TEST(NormalsInSpace, OfMirroredPicturesTurnRound) {
   for (Vertex& vertex : mirrored.vertices) vertex.uv[0].x = 1.0f - vertex.uv[0].x;
   computeTangents(mirrored);
   const glm::vec3 n = glm::normalize(glm::vec3(0.5f, 0.25f, 1.0f));
-  const auto plain = normalsInSpace(constantNormals(4, 4, n), sceneOf(testing::flatPlate()), NormalSpace::object);
-  const auto turned = normalsInSpace(constantNormals(4, 4, n), sceneOf(mirrored), NormalSpace::object);
+  const auto plain = normalsInSpace(constantNormals(4, 4, n), meshScene(testing::flatPlate()), NormalSpace::object);
+  const auto turned = normalsInSpace(constantNormals(4, 4, n), meshScene(mirrored), NormalSpace::object);
   EXPECT_LT(degreesBetween(rgbAt(*plain, 1, 2), n), 0.01f);
   EXPECT_LT(degreesBetween(rgbAt(*turned, 1, 2), {-n.x, n.y, n.z}), 0.01f);
 }
@@ -112,7 +113,7 @@ TEST(MappedSurface, HasNoSeamBetweenMirroredHalves) {
   Mesh mesh = testing::plateMesh(4, [](glm::vec2) { return 0.0f; });
   for (Vertex& vertex : mesh.vertices) vertex.uv[0].x = std::abs(vertex.uv[0].x - 0.5f);
   computeTangents(mesh);
-  const Scene model = sceneOf(mesh);
+  const Scene model = meshScene(mesh);
   const auto surface = MappedSurface::make(model);
   const glm::vec3 n = glm::normalize(glm::vec3(0.5f, 0.25f, 1.0f));
   for (std::uint32_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle)
@@ -128,12 +129,13 @@ TEST(NormalsInSpace, NeedTextureCoordinatesAndDirections) {
   Mesh bare = cubeMesh();
   for (Vertex& vertex : bare.vertices) vertex.uv[0] = glm::vec2(0.0f);
   const Image flat = constantNormals(1, 1, {0, 0, 1});
-  const auto without = normalsInSpace(flat, sceneOf(bare), NormalSpace::object);
+  const auto without = normalsInSpace(flat, meshScene(bare), NormalSpace::object);
   ASSERT_FALSE(without);
   EXPECT_NE(without.error().message.find("no texture coordinates"), std::string::npos);
   EXPECT_FALSE(normalsInSpace(flat, Scene(), NormalSpace::object));
   for (const float bad : {0.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    const auto none = normalsInSpace(constantNormals(2, 2, glm::vec3(bad)), sceneOf(cubeMesh()), NormalSpace::tangent);
+    const auto none =
+        normalsInSpace(constantNormals(2, 2, glm::vec3(bad)), meshScene(cubeMesh()), NormalSpace::tangent);
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("(0, 0)"), std::string::npos) << none.error().message;
   }
@@ -143,7 +145,7 @@ TEST(NormalsInSpace, AreUnitWhereTextureCoordinatesHaveNoArea) {
   Mesh mesh = cubeMesh();
   for (std::size_t i = 0; i < mesh.vertices.size(); i += 2) mesh.vertices[i].uv[0] = glm::vec2(0.25f);
   computeTangents(mesh);
-  const auto object = normalsInSpace(constantNormals(16, 16, {1, 1, 1}), sceneOf(mesh), NormalSpace::object);
+  const auto object = normalsInSpace(constantNormals(16, 16, {1, 1, 1}), meshScene(mesh), NormalSpace::object);
   ASSERT_TRUE(object);
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) EXPECT_NEAR(glm::length(rgbAt(*object, x, y)), 1.0f, 1e-5f);

@@ -10,7 +10,7 @@ namespace mirrorball {
 namespace {
 
 TEST(Simplified, SphereIsClosedNearAndHasNoMoreTriangles) {
-  const Scene dense = sceneOf(sphereMesh(64, 128));
+  const Scene dense = meshScene(sphereMesh(64, 128));
   for (const std::size_t triangles : {std::size_t{2000}, std::size_t{500}, std::size_t{100}}) {
     const auto light = simplified(dense, triangles);
     ASSERT_TRUE(light) << light.error().message;
@@ -26,19 +26,19 @@ TEST(Simplified, SphereIsClosedNearAndHasNoMoreTriangles) {
 }
 
 TEST(Simplified, ModelOfManyPartsIsJoinedWhereTheyAre) {
-  Scene two = sceneOf(sphereMesh(16, 32));
+  Scene two = meshScene(sphereMesh(16, 32));
   two.instances.push_back({0, glm::mat4(1.0f)});
   two.instances[1].world_from_object[3] = {10, 0, 0, 1};
   const auto light = simplified(two, 200);
   ASSERT_TRUE(light);
   EXPECT_LE(light->mesh.indices.size(), 600u);
-  const BoundingSphere bounds = boundingSphere(sceneOf(light->mesh));
+  const BoundingSphere bounds = boundingSphere(meshScene(light->mesh));
   EXPECT_NEAR(bounds.center.x, 5.0f, 0.1f);
   EXPECT_NEAR(bounds.radius, 6.0f, 0.1f);
 }
 
 TEST(Simplified, LeavesWhatIsLightAlready) {
-  const auto cube = simplified(sceneOf(cubeMesh()), 100);
+  const auto cube = simplified(meshScene(cubeMesh()), 100);
   ASSERT_TRUE(cube);
   EXPECT_EQ(cube->mesh.indices.size(), 36u);
   EXPECT_EQ(cube->mesh.vertices.size(), 8u);  // one a place
@@ -48,14 +48,14 @@ TEST(Simplified, LeavesWhatIsLightAlready) {
 TEST(Simplified, OfOneTriangleIsItAndOfNoneAnError) {
   Mesh triangle = testing::flatPlate();
   triangle.indices.resize(3);
-  const auto one = simplified(sceneOf(triangle), 1);
+  const auto one = simplified(meshScene(triangle), 1);
   ASSERT_TRUE(one);
   EXPECT_EQ(one->mesh.indices.size(), 3u);
   EXPECT_EQ(one->mesh.vertices.size(), 3u);
 
   EXPECT_FALSE(simplified(Scene(), 1));
   for (Vertex& vertex : triangle.vertices) vertex.position = glm::vec3(1.0f);
-  EXPECT_FALSE(simplified(sceneOf(triangle), 1));
+  EXPECT_FALSE(simplified(meshScene(triangle), 1));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_P(BumpMapsTest, FineNormalMapsReflectWithinATwentiethOfADegree) {
       }
     Material material = bumpyMirror();
     material.normal_zero = zero;
-    Scene scene = sceneOf(testing::mirroredPair(), material);
+    Scene scene = meshScene(testing::mirroredPair(), material);
     scene.textures.push_back({.image = std::move(numbers)});
     scene.materials[0].normal_map.texture = 0;
     const Image image = drawn(std::move(scene), {}, slope);
@@ -139,7 +139,7 @@ TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
     Material material = bumpyMirror();
     material.slope_texture = 0;
     material.derivative_scale = scale;
-    Scene scene = sceneOf(testing::mirroredPair(), material);
+    Scene scene = meshScene(testing::mirroredPair(), material);
     scene.slope_textures.push_back(Image(1, 1, 3));
     scene.slope_textures[0].edit().texel(0, 0)[0] = slope;
     return middle(drawn(std::move(scene)));
@@ -156,7 +156,7 @@ TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
 TEST_P(BumpMapsTest, SlopesThatAPixelAveragesAwayBlur) {
   Material material = bumpyMirror();
   material.slope_texture = 0;
-  Scene scene = sceneOf(testing::mirroredPair(), material);
+  Scene scene = meshScene(testing::mirroredPair(), material);
   for (Vertex& vertex : scene.meshes[0].edit().vertices) vertex.uv[0] *= 64.0f;
   scene.slope_textures.push_back(*derivativesFromHeights(testing::hills(), {.scale = 0.5f}));
   const Image image = drawn(scene);
@@ -170,7 +170,7 @@ TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
     material.normal_map.texture = 0;
     material.normal_space = NormalSpace::object;
     material.normal_scale = scale;
-    Scene scene = sceneOf(testing::mirroredPair(), material);
+    Scene scene = meshScene(testing::mirroredPair(), material);
     Image normals(1, 1, 3);
     normals.texel(0, 0)[0] = 0.6f;
     normals.texel(0, 0)[2] = 0.8f;

@@ -69,7 +69,7 @@ Scene paintedSphere() {
   material.double_sided = true;
   Mesh mesh = sphereMesh();
   for (Vertex& vertex : mesh.vertices) vertex.color = glm::vec4(testing::smoothRadiance(vertex.position), 1.0f);
-  return sceneOf(std::move(mesh), material);
+  return meshScene(std::move(mesh), material);
 }
 
 /// A ball that shines in one colour.
@@ -266,7 +266,7 @@ TEST_P(CubeCaptureTest, WhatShinesThroughIsInTheSameOrderOnBothSidesOfAnEdge) {
 
 TEST_P(CubeCaptureTest, ASurfaceRightBesideThePointIsSeen) {
   const auto shareBelow = [&](const CaptureSettings& settings) {
-    Scene scene = sceneOf(planeMesh(), shining({1, 1, 1}));
+    Scene scene = meshScene(planeMesh(), shining({1, 1, 1}));
     scene.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(100.0f));
     return testing::fluxOf(capture(scene, Environment(black, 8), settings)) / (4.0 * glm::radians(180.0));
   };

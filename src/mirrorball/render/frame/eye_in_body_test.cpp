@@ -36,7 +36,7 @@ class EyeInBody : public testing::GlassTest {
 
 /// A sheet of water.
 Scene sea() {
-  Scene scene = sceneOf(cubeMesh(), clearGlass(kWater));
+  Scene scene = meshScene(cubeMesh(), clearGlass(kWater));
   scene.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(500.0f, 1.0f, 500.0f));
   return scene;
 }
@@ -86,7 +86,7 @@ TEST_F(EyeInBody, WhiteStaysWhite) {
   Material rough = clearGlass(1.5f);
   rough.perceptual_roughness = 0.4f;
   rough.dispersion = 1.0f;
-  Scene nested = sceneOf(torusMesh(48, 24), clearGlass(1.7f));
+  Scene nested = meshScene(torusMesh(48, 24), clearGlass(1.7f));
   add(nested, sphereMesh(24, 48), clearGlass(kWater), glm::vec3(0.0f), 4.0f);
   add(nested, sphereMesh(24, 48), rough, glm::vec3(1.5f, 0.0f, 0.0f), 0.5f);
   add(nested, sphereMesh(24, 48), clearGlass(1.0f), glm::vec3(-1.5f, 0.0f, 0.0f), 0.5f);
@@ -107,7 +107,7 @@ TEST_F(EyeInBody, WaterAbsorbsFromTheSurfaceToTheEye) {
   wine.attenuation_distance = 0.4f;
   const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
   standInTheMiddle(20.0f, 10.0f, 60.0f);
-  const Image image = radiance(sceneOf(sphereMesh(128, 256), wine), white);
+  const Image image = radiance(meshScene(sphereMesh(128, 256), wine), white);
   const glm::vec3 expected = glm::pow(wine.attenuation_color, glm::vec3(1.0f / 0.4f));
   for (const int x : {3, 32, 60})
     for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(rgbAt(image, x, 20)[channel], expected[channel], 2e-3f);
@@ -117,8 +117,8 @@ TEST_F(EyeInBody, WaterAbsorbsFromTheSurfaceToTheEye) {
 TEST_F(EyeInBody, SurfacesBetweenTheSameSubstanceAreNotThere) {
   standInTheMiddle(20.0f, 10.0f, 60.0f);
   const Image nothing = inSmoothLight({});
-  EXPECT_LT(greatestDifference(inSmoothLight(sceneOf(sphereMesh(64, 128), clearGlass(1.0f))), nothing), 1.0 / 255.0);
-  const Scene water = sceneOf(sphereMesh(64, 128), clearGlass(kWater));
+  EXPECT_LT(greatestDifference(inSmoothLight(meshScene(sphereMesh(64, 128), clearGlass(1.0f))), nothing), 1.0 / 255.0);
+  const Scene water = meshScene(sphereMesh(64, 128), clearGlass(kWater));
   Scene nested = water;
   add(nested, cubeMesh(), clearGlass(kWater), glm::vec3(0.0f), 0.5f);
   frame_.inner_bounces = 8;

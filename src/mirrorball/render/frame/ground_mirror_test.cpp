@@ -20,7 +20,7 @@ Scene lampBall(float radiance) {
   material.unlit = true;
   material.emission = glm::vec3(radiance);
   material.base_color = glm::vec3(radiance);
-  return sceneOf(sphereMesh(), material);
+  return meshScene(sphereMesh(), material);
 }
 
 FrameSettings onGround(const std::string& roughness) {

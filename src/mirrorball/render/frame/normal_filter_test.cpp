@@ -74,7 +74,7 @@ Material whiteMirror() { return testing::whiteMetal(0.0f); }
 Scene flatPlane(glm::vec3 normal) {
   Material material = whiteMirror();
   material.normal_map.texture = 0;
-  Scene scene = sceneOf(testing::tiledPlane(), std::move(material));
+  Scene scene = meshScene(testing::tiledPlane(), std::move(material));
   Image normals(testing::kTileSide, testing::kTileSide, 3);
   for (int y = 0; y < normals.height(); ++y)
     for (int x = 0; x < normals.width(); ++x) std::copy_n(&normal.x, 3, normals.texel(x, y));
@@ -139,7 +139,7 @@ TEST_F(NormalFilterTest, ACoatIsSmoothOverBumpsThatAPixelHides) {
   for (const BumpForm form : testing::kEveryBumpForm) {
     Material material = coated(0.1f);
     material.clearcoat_roughness = 0.3f;
-    const Image smooth = drawn(sceneOf(testing::tiledPlane(), material), 32.0f, 1);
+    const Image smooth = drawn(meshScene(testing::tiledPlane(), material), 32.0f, 1);
     const Image bumpy = drawn(testing::bumpyPlane(HeightKind::brick, form, material), 32.0f, 1);
     EXPECT_LT(farthest(smooth, bumpy), 1e-5f) << testing::nameOf(form);
   }

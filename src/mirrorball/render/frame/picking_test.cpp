@@ -103,7 +103,7 @@ TEST_F(PickingTest, OfReliefThePlaceOfTheRelief) {
   bricks.height = HeightKind::brick;
   bricks.height_scale = 0.2f;
   bricks.height_frequency = 1.0f;
-  Renderer renderer = rendererFor(sceneOf(planeMesh(), bricks));
+  Renderer renderer = rendererFor(meshScene(planeMesh(), bricks));
   FrameSettings settings = fromFront(renderer);
   testing::aim(settings, 20.0f, 50.0f);
   const auto flat = picked(renderer, settings, {30.5f, 30.5f});
@@ -125,7 +125,7 @@ TEST_F(PickingTest, OfReliefThePlaceOfTheRelief) {
 
 TEST_F(PickingTest, GlassRefractsBySnellsLaw) {
   Material glass = *materialNamed("glass");
-  Scene scene = sceneOf(sphereMesh(), glass);
+  Scene scene = meshScene(sphereMesh(), glass);
   Renderer renderer = rendererFor(std::move(scene));
   const auto found = picked(renderer, fromFront(renderer), {32.0f + 0.5f * 64.0f / 2.5f, 32.0f});
   ASSERT_TRUE(found && found->refracted);

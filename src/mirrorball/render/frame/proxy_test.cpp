@@ -43,7 +43,7 @@ Material mirrorOfProxy() {
 
 /// A mirror ball of this radius at that place.
 Scene ballAt(glm::vec3 place, float radius, const Material& material) {
-  Scene scene = sceneOf(sphereMesh(), material);
+  Scene scene = meshScene(sphereMesh(), material);
   scene.instances[0].world_from_object = glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(radius));
   return scene;
 }
@@ -98,7 +98,7 @@ TEST_F(ProxyTest, AMirrorBallBesideTheCaptureShowsTheRoom) {
 TEST_F(ProxyTest, TrianglesShowWhatTheBoxDoes) {
   FrameSettings settings = frontOf(48);
   testing::set(settings, "proxy", "cube");
-  const Box sides = boundingBox(sceneOf(cubeMesh()));
+  const Box sides = boundingBox(meshScene(cubeMesh()));
   const auto room = Environment([](glm::vec3 d) { return 0.5f + 0.5f * d; }, 128);
   const Image of_triangles = drawn(ballAt({0.1f, 0.1f, 0.0f}, 0.3f, mirrorOfProxy()), room, settings);
   const auto corner = [](glm::vec3 c) { return writeNumbers({&c.x, 3}); };

@@ -208,7 +208,7 @@ inline bool hasSuns(const FrameSettings& settings) { return settings.sunShown() 
 
 /// A ball with that material.
 inline Scene sceneOfCase(const SurfaceCase& asked) {
-  Scene scene = sceneOf(sphereMesh(16, 32), asked.material);
+  Scene scene = meshScene(sphereMesh(16, 32), asked.material);
   Texture flat_normals{.image = Image8(4, 4, 4, 128)};
   for (int texel = 0; texel < 16; ++texel) flat_normals.image.edit().texel(texel % 4, texel / 4)[2] = 255;
   Texture towards_eye = flat_normals;  // the mesh's +Z

@@ -23,7 +23,7 @@ Scene stripedPlane() {
   Material material;
   material.base_color = glm::vec3(1.0f);
   material.specular = 0.0f;
-  Scene scene = sceneOf(planeMesh(), material);
+  Scene scene = meshScene(planeMesh(), material);
   EXPECT_TRUE(setParameter(scene, "base_color_map=stripes"));
   return scene;
 }
@@ -33,7 +33,7 @@ Scene mirrorBall(float perceptual_roughness = 0.0f) {
   material.base_color = glm::vec3(1.0f);
   material.metallic = 1.0f;
   material.perceptual_roughness = perceptual_roughness;
-  return sceneOf(sphereMesh(), material);
+  return meshScene(sphereMesh(), material);
 }
 
 /// Meridians, black and white.

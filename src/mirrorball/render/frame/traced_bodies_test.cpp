@@ -40,10 +40,10 @@ TEST_F(TracedBodies, ClearGlassIsWhiteInTheFurnace) {
     for (const float ior : {0.75f, 1.0f, 1.5f, 2.4f}) {
       Material glass = clearGlass(ior);
       const std::string what = std::to_string(ior) + " after " + std::to_string(bounces);
-      testing::expectFurnaceWhite(radiance(sceneOf(knotMesh(60, 12), glass), white), "knot " + what, 2e-3f);
+      testing::expectFurnaceWhite(radiance(meshScene(knotMesh(60, 12), glass), white), "knot " + what, 2e-3f);
       glass.perceptual_roughness = 0.4f;
       glass.dispersion = 1.0f;
-      Scene nested = sceneOf(sphereMesh(24, 48), glass);
+      Scene nested = meshScene(sphereMesh(24, 48), glass);
       add(nested, cubeMesh(), clearGlass(1.0f), glm::vec3(0.2f, 0.0f, 0.0f), 0.5f);           // a bubble
       add(nested, sphereMesh(24, 48), clearGlass(1.33f), glm::vec3(0.0f, 0.9f, 0.0f), 0.5f);  // reaches out of it
       testing::expectFurnaceWhite(radiance(nested, white), "nested " + what, 2e-3f);
@@ -63,8 +63,8 @@ TEST_F(TracedBodies, BackFacesOfClearGlassAreWhiteInTheFurnace) {
       glass.perceptual_roughness = roughness;
       glass.dispersion = roughness;
       const std::string what = std::to_string(ior) + ", roughness " + std::to_string(roughness);
-      testing::expectFurnaceWhite(radiance(sceneOf(knotMesh(60, 12), glass), white), "knot " + what, 2e-3f);
-      testing::expectFurnaceWhite(radiance(sceneOf(cubeMesh(), glass), white), "cube " + what, 2e-3f);
+      testing::expectFurnaceWhite(radiance(meshScene(knotMesh(60, 12), glass), white), "knot " + what, 2e-3f);
+      testing::expectFurnaceWhite(radiance(meshScene(cubeMesh(), glass), white), "cube " + what, 2e-3f);
     }
 }
 
@@ -75,13 +75,14 @@ TEST_F(TracedBodies, AnIndexOfOneIsInvisibleAtAnyRoughness) {
       frame_.refraction = kind;
       Material air = roughness > 0.0f ? withoutReflection(1.0f) : clearGlass(1.0f);
       air.perceptual_roughness = roughness;
-      EXPECT_LT(greatestDifference(inSmoothLight(sceneOf(torusMesh(48, 24), air)), nothing), 1.0 / 255.0) << roughness;
+      EXPECT_LT(greatestDifference(inSmoothLight(meshScene(torusMesh(48, 24), air)), nothing), 1.0 / 255.0)
+          << roughness;
     }
 }
 
 // What is far away does not show that a slab shifts it.
 TEST_F(TracedBodies, ASlabDoesNotTurnLight) {
-  Scene slab = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  Scene slab = meshScene(cubeMesh(), withoutReflection(1.5f));
   slab.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(30.0f, 30.0f, 0.3f));
   frame_.camera.orthographic_height.reset();
   frame_.camera.fov_deg = 60.0f;
@@ -97,7 +98,7 @@ TEST_F(TracedBodies, ASlabDoesNotTurnLight) {
 
 // Nor does one that is thin, wherever the eye stands: a ray that began behind it would not leave it again.
 TEST_F(TracedBodies, AThinSlabIsOneFromFarAwayToo) {
-  Scene slab = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  Scene slab = meshScene(cubeMesh(), withoutReflection(1.5f));
   slab.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(3.0f, 3.0f, 0.004f));
   frame_.camera.orthographic_height = 0.5f;
   testing::aim(frame_, 40, 20);
@@ -112,7 +113,7 @@ TEST_F(TracedBodies, ABallBendsLightTwiceAndInverts) {
   const float ior = 1.5f;
   for (const RefractionKind kind : kWholeBodies) {
     frame_.refraction = kind;
-    const Image image = inSmoothLight(sceneOf(sphereMesh(256, 512), withoutReflection(ior)));
+    const Image image = inSmoothLight(meshScene(sphereMesh(256, 512), withoutReflection(ior)));
     for (const int x : {8, 20, 31, 40, 55}) {
       const float offset = (static_cast<float>(x) + 0.5f - 32.0f) / 64.0f * 2.2f;
       const float y = 0.5f / 64.0f * 2.2f;
@@ -133,7 +134,7 @@ TEST_F(TracedBodies, TheBackFacesOfABallAreWhatTracingToOneSurfaceFinds) {
   wine.attenuation_color = {0.9f, 0.5f, 0.25f};
   wine.attenuation_distance = 1.0f;
   wine.dispersion = 1.0f;
-  const Scene ball = sceneOf(sphereMesh(128, 256), wine);
+  const Scene ball = meshScene(sphereMesh(128, 256), wine);
   frame_.camera.orthographic_height.reset();
   frame_.camera.distance = 3.0f;
   frame_.inner_bounces = 1;
@@ -152,7 +153,7 @@ TEST_F(TracedBodies, TheBackFacesOfABallAreWhatTracingToOneSurfaceFinds) {
 // A cube whose edge points at the eye: a ray that enters by one side meets the one beside it past the critical angle,
 // if the index is above √2, and leaves by the side opposite to that by which it came.
 TEST_F(TracedBodies, LightIsReflectedTotallyPastTheCriticalAngle) {
-  Scene scene = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  Scene scene = meshScene(cubeMesh(), withoutReflection(1.5f));
   const glm::mat4 edge_first = glm::rotate(glm::mat4(1.0f), glm::radians(45.0f), glm::vec3(0.0f, 1.0f, 0.0f));
   scene.instances[0].world_from_object = edge_first;
   const glm::vec3 eye(0, 0, -1), right = glm::normalize(glm::vec3(1, 0, 1)),
@@ -176,7 +177,7 @@ TEST_F(TracedBodies, LightIsAbsorbedByTheLengthOfItsWay) {
   const glm::vec3 expected = glm::pow(wine.attenuation_color, glm::vec3(2.0f / std::sqrt(3.0f) / 0.4f));
   for (const RefractionKind kind : kWholeBodies) {
     frame_.refraction = kind;
-    const Image image = radiance(sceneOf(cubeMesh(), wine), white);
+    const Image image = radiance(meshScene(cubeMesh(), wine), white);
     for (int channel = 0; channel < 3; ++channel)
       EXPECT_NEAR(rgbAt(image, 32, 32)[channel], expected[channel], 2e-3f) << nameOf(kind);
   }
@@ -186,7 +187,7 @@ TEST_F(TracedBodies, LightIsAbsorbedByTheLengthOfItsWay) {
 TEST_F(TracedBodies, LightThatHasLeftMeetsAnotherBody) {
   Material red = withoutReflection(1.5f);
   red.attenuation_color = {0.8f, 0.3f, 0.1f};
-  Scene slabs = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  Scene slabs = meshScene(cubeMesh(), withoutReflection(1.5f));
   red.attenuation_distance = 0.25f * 2.0f * glm::abs(slabs.meshes[0]->vertices[0].position.z);
   add(slabs, cubeMesh(), red);
   const auto slabAt = [](float z) {
@@ -205,7 +206,7 @@ TEST_F(TracedBodies, LightThatHasLeftMeetsAnotherBody) {
 
 // A glass ball behind a slab, and between the two a cube that is not of glass.
 TEST_F(TracedBodies, WhatIsBetweenBodiesHidesThoseBehind) {
-  Scene scene = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  Scene scene = meshScene(cubeMesh(), withoutReflection(1.5f));
   scene.instances[0].world_from_object =
       glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 1.2f)), glm::vec3(1.0f, 1.0f, 0.1f));
   Material lamp;
@@ -222,7 +223,7 @@ TEST_F(TracedBodies, WhatIsBetweenBodiesHidesThoseBehind) {
 
 TEST_F(TracedBodies, WhatHasTheIndexOfItsSurroundingsIsNotSeenInThem) {
   const Material glass = clearGlass(1.5f);
-  const Scene whole = sceneOf(sphereMesh(64, 128), glass);
+  const Scene whole = meshScene(sphereMesh(64, 128), glass);
   Scene nested = whole;
   add(nested, torusMesh(48, 24), glass, glm::vec3(0.1f, 0.1f, 0.0f), 0.5f);
   frame_.inner_bounces = 8;
@@ -235,7 +236,7 @@ TEST_F(TracedBodies, WhatHasTheIndexOfItsSurroundingsIsNotSeenInThem) {
 
 // Water that reaches into the wall of its glass is what the glass leaves of it.
 TEST_F(TracedBodies, ThePriorityOfBodiesDecides) {
-  const Scene alone = sceneOf(sphereMesh(64, 128), clearGlass(1.5f));
+  const Scene alone = meshScene(sphereMesh(64, 128), clearGlass(1.5f));
   Scene both = alone;
   add(both, cubeMesh(), clearGlass(1.2f), glm::vec3(0.0f), 0.6f);
   both.materials[0].priority = 1;
@@ -259,7 +260,7 @@ TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
       frame_.refraction = kind;
       Material glass = clearGlass(1.5f);
       glass.double_sided = true;
-      const Image image = inSmoothLight(sceneOf(mesh, glass));
+      const Image image = inSmoothLight(meshScene(mesh, glass));
       for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
           for (int channel = 0; channel < 3; ++channel) {
@@ -271,7 +272,7 @@ TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
 
 // Two ways in one frame, whose pictures of bodies and of back faces take one texture unit in turns.
 TEST_F(TracedBodies, FewTrianglesAreTracedAndManyByTheirBackFaces) {
-  Scene scene = sceneOf(brilliantMesh(), clearGlass(2.4f));
+  Scene scene = meshScene(brilliantMesh(), clearGlass(2.4f));
   scene.instances[0].world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(-1.2f, 0.0f, 0.0f));
   add(scene, sphereMesh(48, 96), clearGlass(1.5f), glm::vec3(1.2f, 0.0f, 0.0f));
   frame_.camera.orthographic_height = 4.6f;
@@ -300,7 +301,7 @@ TEST(BodiesInBothApis, AreTheSamePicture) {
     for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
       MIRRORBALL_NEEDS_GL(context, api);
       const Environment environment(smoothLight, 128);
-      auto renderer = testing::rendererOf(sceneOf(torusMesh(96, 48), clearGlass(1.5f)), environment,
+      auto renderer = testing::rendererOf(meshScene(torusMesh(96, 48), clearGlass(1.5f)), environment,
                                           *testing::prepareOnce(environment));
       ASSERT_TRUE(renderer) << renderer.error().message;
       FrameSettings frame;

@@ -38,7 +38,7 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
 
 // The camera and the ground stay where they are while the model grows by what goes round.
 TEST(StandingStill, CameraAndGroundStayWhereTheyAre) {
-  const Scene scene = sceneOf(sphereMesh(8, 16));
+  const Scene scene = meshScene(sphereMesh(8, 16));
   Scene grown = scene;
   grown.instances.push_back({0, glm::translate(glm::mat4(1.0f), glm::vec3(5, 0, 0))});
   FrameSettings settings;
@@ -60,7 +60,7 @@ TEST(StandingStill, CameraAndGroundStayWhereTheyAre) {
 
 // A ball 2 towards +Z goes to +X of the axis, with the smaller one in it; the other stays.
 TEST(Orbited, OneObjectAndWhatLiesInIt) {
-  Scene scene = sceneOf(sphereMesh(8, 16));
+  Scene scene = meshScene(sphereMesh(8, 16));
   const auto at = [](glm::vec3 place, float size) {
     return glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(size));
   };

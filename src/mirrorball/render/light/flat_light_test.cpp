@@ -175,7 +175,7 @@ TEST_P(FlatLightTest, DrawsWhatTheCubeSamplerDraws) {
     Material metal = *materialNamed("mirror");
     ASSERT_TRUE(setParameter(metal, std::string("perceptual_roughness=") + roughness));
     auto renderer =
-        testing::rendererOf(sceneOf(sphereMesh(64, 128), metal), environment, *testing::prepareOnce(environment));
+        testing::rendererOf(meshScene(sphereMesh(64, 128), metal), environment, *testing::prepareOnce(environment));
     ASSERT_TRUE(renderer) << renderer.error().message;
     FrameSettings frame;
     frame.size = {64, 64};

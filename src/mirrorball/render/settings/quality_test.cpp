@@ -157,7 +157,7 @@ TEST(Quality, SaysWhatItChose) {
 TEST(Quality, TraitsAreTheModels) {
   EXPECT_TRUE(traitsOf(*loadModel("tumbler-water")).lets_light_through);
   EXPECT_TRUE(traitsOf(*loadModel("spheres")).has_objects);
-  Scene matt = sceneOf(sphereMesh(8, 16));
+  Scene matt = meshScene(sphereMesh(8, 16));
   matt.materials[0].perceptual_roughness = 0.7f;
   EXPECT_FALSE(traitsOf(matt).is_polished);
   matt.materials[0].clearcoat = 1.0f;

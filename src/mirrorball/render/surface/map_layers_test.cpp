@@ -139,7 +139,7 @@ TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
   ASSERT_TRUE(drawing) << drawing.error().message;
   for (const float repeats : {1.5f, 40.0f})
     for (const bool with_numbers : {false, true}) {
-      Scene scene = sceneOf(sphereMesh(), everything());
+      Scene scene = meshScene(sphereMesh(), everything());
       giveEveryMapATexture(scene, repeats, with_numbers);
       const auto alone = drawing->of(scene, kUnitsOfMaterial);
       const auto in_layers = drawing->of(scene, 3);
@@ -157,7 +157,7 @@ TEST_P(MapLayersTest, NumbersLookAsCodesDo) {
   for (const int units : {kUnitsOfMaterial, 3}) {
     std::vector<Image> images;
     for (const bool with_numbers : {false, true}) {
-      Scene scene = sceneOf(sphereMesh(), everything());
+      Scene scene = meshScene(sphereMesh(), everything());
       giveEveryMapATexture(scene, 1.5f, with_numbers);
       auto image = drawing->of(scene, units);
       ASSERT_TRUE(image);
@@ -173,7 +173,7 @@ TEST_P(MapLayersTest, NumbersLookAsCodesDo) {
 TEST_P(MapLayersTest, AreFilteredAsTheDriverFilters) {
   auto drawing = Drawing::make(GetParam(), context().filtersFloats());
   ASSERT_TRUE(drawing) << drawing.error().message;
-  Scene scene = sceneOf(sphereMesh(), everything());
+  Scene scene = meshScene(sphereMesh(), everything());
   giveEveryMapATexture(scene, 10.0f);
   const auto usual = drawing->of(scene, kUnitsOfMaterial);
   ASSERT_TRUE(usual);

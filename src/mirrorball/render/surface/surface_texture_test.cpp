@@ -88,7 +88,7 @@ Material chalk(glm::vec3 base_color = glm::vec3(1.0f)) {
 /// A square of a material with a texture in one of its slots.
 Scene texturedSquare(Material material, TextureSlot Material::*slot, Texture texture) {
   (material.*slot).texture = 0;
-  Scene scene = sceneOf(square(), std::move(material));
+  Scene scene = meshScene(square(), std::move(material));
   scene.textures.push_back(std::move(texture));
   return scene;
 }
@@ -341,7 +341,7 @@ TEST_P(SurfaceTextureTest, AllSlotsTogetherKeepTheirTextures) {
   material.base_color = glm::vec3(1.0f);
   material.transmission = 1.0f;
   material.emission = glm::vec3(1.0f);
-  Scene scene = sceneOf(square(), material);
+  Scene scene = meshScene(square(), material);
   const auto put = [&](TextureSlot Material::*slot, const Texel& texel) {
     (scene.materials[0].*slot).texture = static_cast<int>(scene.textures.size());
     scene.textures.push_back(textureOfTexels(1, {texel}));
@@ -385,7 +385,7 @@ TEST_P(SurfaceTextureTest, RoughnessIsInGreenAndMetallicInBlue) {
   textured.materials[0].roughness_map = textured.materials[0].metallic_map;
   partial.perceptual_roughness = 0.1f;
   partial.metallic = 0.2f;
-  expectNear(seen(textured, compass()), seen(sceneOf(square(), partial), compass()), kExact, "products");
+  expectNear(seen(textured, compass()), seen(meshScene(square(), partial), compass()), kExact, "products");
 }
 
 TEST_P(SurfaceTextureTest, SpecularIsInAlphaAndTransmissionInRed) {
@@ -397,7 +397,7 @@ TEST_P(SurfaceTextureTest, SpecularIsInAlphaAndTransmissionInRed) {
   textured.materials[0].transmission_map = textured.materials[0].specular_map;
   glass.specular = 0.3f;
   glass.transmission = 0.1f;
-  expectNear(seen(textured, compass()), seen(sceneOf(square(), glass), compass()), kExact, "products");
+  expectNear(seen(textured, compass()), seen(meshScene(square(), glass), compass()), kExact, "products");
 }
 
 TEST_P(SurfaceTextureTest, OcclusionInRedDarkensDiffuseLightOnly) {
@@ -509,7 +509,7 @@ TEST_P(SurfaceTextureTest, LayersOfABlendedMeshDoNotHideEachOther) {
   Material material = chalk();
   material.opacity = 0.5f;
   material.alpha_mode = AlphaMode::blend;
-  expectNear(seen(sceneOf(layers, material), whiteLight()), glm::vec4(0.75f), kExact, "a half and a quarter");
+  expectNear(seen(meshScene(layers, material), whiteLight()), glm::vec4(0.75f), kExact, "a half and a quarter");
 }
 
 /// Two half transparent squares: red at those depths of its mesh and its instance, green behind at their opposites.
@@ -554,7 +554,7 @@ TEST_P(SurfaceTextureTest, BlendedSurfacesAreDrawnFarthestFirst) {
 }
 
 TEST_P(SurfaceTextureTest, OnlyADoubleSidedSurfaceHasABack) {
-  Scene scene = sceneOf(square(), chalk());
+  Scene scene = meshScene(square(), chalk());
   for (const bool double_sided : {false, true}) {
     scene.materials[0].double_sided = double_sided;
     scene.instances[0].world_from_object = glm::mat4(1.0f);
@@ -566,7 +566,7 @@ TEST_P(SurfaceTextureTest, OnlyADoubleSidedSurfaceHasABack) {
 }
 
 TEST_P(SurfaceTextureTest, AnOpacityThatIsSetLetsTheBackgroundThrough) {
-  Scene scene = sceneOf(square(), chalk({1.0f, 0.5f, 0.0f}));
+  Scene scene = meshScene(square(), chalk({1.0f, 0.5f, 0.0f}));
   ASSERT_TRUE(setParameter(scene.materials[0], "opacity=0.25"));
   expectNear(seen(scene, whiteLight()), {0.25f, 0.125f, 0.0f, 0.25f}, kExact, "over nothing");
   expectNear(seen(scene, whiteLight(), {.background = glm::vec3(0, 0, 1)}), {0.25f, 0.125f, 0.75f, 1.0f}, kExact,

@@ -31,7 +31,7 @@ Environment coordinateCompass() {
   return Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 128);
 }
 
-Scene mirrorSphere() { return sceneOf(sphereMesh(64, 128), *materialNamed("mirror")); }
+Scene mirrorSphere() { return meshScene(sphereMesh(64, 128), *materialNamed("mirror")); }
 
 /// White without reflection: in white light it shows its base colour. Its picture is red to the right, green upwards.
 Scene chalkWithPicture(Mesh mesh) {
@@ -39,7 +39,7 @@ Scene chalkWithPicture(Mesh mesh) {
   chalk.base_color = glm::vec3(1.0f);
   chalk.specular = 0.0f;
   chalk.base_color_map.texture = 0;
-  Scene scene = sceneOf(std::move(mesh), chalk);
+  Scene scene = meshScene(std::move(mesh), chalk);
   constexpr int kTexels = 256;
   Texture texture{.image = Image8(kTexels, kTexels, 4, 255)};
   for (int y = 0; y < kTexels; ++y)
@@ -258,7 +258,7 @@ TEST_P(TexgenTest, ALightProjectsThePictureOnceAndForwardsOnly) {
 // "For a vertex v": what is interpolated over coarse triangles differs, the less the finer they are.
 TEST_P(TexgenTest, AtTheVerticesItDiffersTheMoreTheCoarserTheMesh) {
   const auto differenceOf = [&](int rings, FrameSettings frame) {
-    const Scene sphere = sceneOf(sphereMesh(rings, 2 * rings), *materialNamed("mirror"));
+    const Scene sphere = meshScene(sphereMesh(rings, 2 * rings), *materialNamed("mirror"));
     const Image at_fragments = drawn(sphere, frame);
     frame.reflect_at = ReflectAt::vertex;
     return greatestDifference(at_fragments, drawn(sphere, frame));

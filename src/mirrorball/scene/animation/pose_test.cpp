@@ -14,7 +14,7 @@ namespace mirrorball {
 namespace {
 
 Scene ballAt(glm::vec3 place) {
-  Scene scene = sceneOf(sphereMesh(8, 16));
+  Scene scene = meshScene(sphereMesh(8, 16));
   scene.instances[0].world_from_object = glm::translate(glm::mat4(1.0f), place);
   return scene;
 }

@@ -134,7 +134,7 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
 
 /// A knot and a cube whose vertices each know something else; those of the cube have backs.
 Scene withLooks() {
-  Scene scene = sceneOf(knotMesh(24, 8));
+  Scene scene = meshScene(knotMesh(24, 8));
   scene.meshes.push_back(cubeMesh());
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(3, 0, 0))});
   std::mt19937 random(7);
@@ -212,7 +212,7 @@ TEST(SceneTree, LeavesOutWhatIsSeenThroughAndWhatIsNotKnown) {
 
 // A ball beside a knot that reaches around it: what a ray from the ball meets is the same without the ball's own part.
 TEST(SceneTree, KeepsApartWhatABallDoesNotSeeOfItself) {
-  Scene scene = sceneOf(sphereMesh(48, 96), Material{});
+  Scene scene = meshScene(sphereMesh(48, 96), Material{});
   scene.meshes.push_back(knotMesh(60, 12));
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), {1.2f, 0.0f, 0.0f})});
   for (Instance& instance : scene.instances) {

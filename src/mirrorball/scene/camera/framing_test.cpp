@@ -134,7 +134,7 @@ TEST(Framed, WhatHasNoExtentIsStillBeforeTheCamera) {
   line.vertices[1].position = glm::vec3(0, 0, 1);
   line.vertices[2].position = glm::vec3(0, 0, -1);
   line.indices = {0, 1, 2};
-  const Scene scene = sceneOf(line);
+  const Scene scene = meshScene(line);
   const CameraOptions options{.azimuth_deg = 0.0f, .elevation_deg = 0.0f};
   EXPECT_GT(*framed(scene, boundingSphere(scene), options, 1.0f).distance, 1.0f);
   EXPECT_TRUE(outlineOf(scene, options, 1.0f).is_before_camera);

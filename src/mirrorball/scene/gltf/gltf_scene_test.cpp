@@ -82,7 +82,7 @@ TEST(GltfVariants, GiveAPrimitiveOtherMaterials) {
   }
   EXPECT_THAT(chooseVariant(scene, "Dask").error().message,
               AllOf(HasSubstr("no variant is named 'Dask'"), HasSubstr("Dawn, dusk light, Noon")));
-  Scene without = sceneOf(sphereMesh());
+  Scene without = meshScene(sphereMesh());
   EXPECT_EQ(chooseVariant(without, "Dawn").error().code, ErrorCode::usage);
 }
 
@@ -130,7 +130,7 @@ TEST(GltfCameras, StandWhereTheirNodesAreWithoutTheirScale) {
 }
 
 TEST(GltfCameras, ComeBack) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   scene.cameras.push_back({.name = "a", .fov_rad = 0.7f, .aspect = 1.25f, .nearest = 0.01f});
   scene.cameras.push_back({.name = "b", .orthographic = true, .height = 3.0f, .aspect = 0.5f, .nearest = 1.0f});
   scene.cameras[1].world_from_view[3] = {4, 5, 6, 1};
@@ -184,7 +184,7 @@ TEST(GltfCameras, OfOneNameAreToldApartInLittleTime) {
 }
 
 TEST(GltfCameras, AreFoundByTheirNames) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   const auto named = [&](const std::string& name) {
     return framedCamera(scene, boundingSphere(scene), {.name = name}, {64, 32});
   };
@@ -233,7 +233,7 @@ TEST(GltfLights, AreReadWithTheirUnits) {
 }
 
 TEST(GltfLights, ComeBack) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   ModelLight spot;
   spot.name = "spot";
   spot.kind = formula::kLampSpot;

@@ -59,7 +59,7 @@ Image8 picture(int width, int height, std::uint8_t first) {
 }
 
 TEST(GltfWriter, MeshesComeBackBitByBit) {
-  Scene scene = sceneOf(knotMesh());
+  Scene scene = meshScene(knotMesh());
   Vertex& vertex = scene.meshes[0].edit().vertices[7];
   vertex.color = {0.25f, 0.5f, 0.75f, 0.125f};
   vertex.uv[1] = {0.3f, -2.7f};
@@ -105,7 +105,7 @@ TEST(GltfWriter, EveryParameterOfTheTableComesBack) {
     const double value = least + 0.3 * (std::min(parameter.text.maximum, 5.0) - least);
     ASSERT_TRUE(setParameter(material, name + "=" + (is_flag ? "yes" : std::to_string(value)))) << name;
     material.alpha_mode = name == "alpha_cutoff" ? AlphaMode::mask : AlphaMode::opaque;
-    Scene scene = sceneOf(planeMesh(), material);
+    Scene scene = meshScene(planeMesh(), material);
     scene.textures.push_back({.image = picture(2, 2, 0)});
     Material& own = scene.materials[0];
     own.normal_map.texture = own.occlusion_map.texture = own.clearcoat_normal_map.texture = 0;
@@ -120,14 +120,14 @@ TEST(GltfWriter, AThinWallComesBack) {
     Material material;
     material.transmission = 1.0f;
     material.thin_walled = is_thin;
-    EXPECT_EQ(decodedFile(encoded(sceneOf(sphereMesh(), material))).materials.at(0).thin_walled, is_thin);
+    EXPECT_EQ(decodedFile(encoded(meshScene(sphereMesh(), material))).materials.at(0).thin_walled, is_thin);
   }
 }
 
 TEST(GltfWriter, AnUnlitMaterialComesBackAndLooksMattElsewhere) {
   Material material = *materialNamed("gold");
   material.unlit = true;
-  const EncodedScene file = encoded(sceneOf(sphereMesh(), material));
+  const EncodedScene file = encoded(meshScene(sphereMesh(), material));
   EXPECT_THAT(jsonOf(file), AllOf(HasSubstr("\"KHR_materials_unlit\":{}"), HasSubstr("\"metallicFactor\":0.0")));
   const Material found = decodedFile(file).materials.at(0);
   EXPECT_TRUE(found.unlit);
@@ -138,7 +138,7 @@ TEST(GltfWriter, DefaultsAreNotWritten) {
   Material material;
   material.base_color = glm::vec3(1.0f);
   material.metallic = material.perceptual_roughness = 1.0f;
-  const std::string json = jsonOf(encoded(sceneOf(sphereMesh(), material)));
+  const std::string json = jsonOf(encoded(meshScene(sphereMesh(), material)));
   EXPECT_THAT(json, AllOf(Not(HasSubstr("pbrMetallicRoughness")), Not(HasSubstr("extensions")),
                           Not(HasSubstr("COLOR_0")), Not(HasSubstr("matrix")), Not(HasSubstr("cameras"))));
 }
@@ -147,7 +147,7 @@ TEST(GltfWriter, ExtensionsThatAreUsedAreNamed) {
   Material material;
   material.ior = 1.25f;
   material.emission = {8.0f, 4.0f, 0.0f};
-  const EncodedScene file = encoded(sceneOf(sphereMesh(), material));
+  const EncodedScene file = encoded(meshScene(sphereMesh(), material));
   EXPECT_THAT(jsonOf(file),
               HasSubstr("\"extensionsUsed\":[\"KHR_materials_emissive_strength\",\"KHR_materials_ior\"]"));
   EXPECT_EQ(decodedFile(file).materials.at(0).emission, material.emission);
@@ -159,7 +159,7 @@ TEST(GltfWriter, AlphaComesBack) {
     material.base_color = glm::vec3(1.0f);
     material.opacity = 0.25f;
     material.alpha_mode = mode;
-    const Material found = roundTrip(sceneOf(sphereMesh(), material)).materials.at(0);
+    const Material found = roundTrip(meshScene(sphereMesh(), material)).materials.at(0);
     EXPECT_EQ(found.alpha_mode, mode);
     EXPECT_EQ(found.opacity, 0.25f);
     EXPECT_EQ(found.base_color, material.base_color);
@@ -167,7 +167,7 @@ TEST(GltfWriter, AlphaComesBack) {
 }
 
 TEST(GltfWriter, TexturesComeBackTexelByTexel) {
-  Scene scene = sceneOf(planeMesh());
+  Scene scene = meshScene(planeMesh());
   Image8 opaque = picture(5, 3, 7);
   for (std::size_t i = 3; i < opaque.samples().size(); i += 4) opaque.samples()[i] = 255;
   scene.textures = {{.image = picture(4, 2, 0), .srgb = true, .wrap_s = Wrap::mirrored_repeat, .nearest = true},
@@ -196,7 +196,7 @@ TEST(GltfWriter, TexturesComeBackTexelByTexel) {
 
 // glTF has metallic and roughness in one texture.
 TEST(GltfWriter, TwoTexturesBecomeOne) {
-  Scene scene = sceneOf(planeMesh());
+  Scene scene = meshScene(planeMesh());
   scene.textures = {{.image = picture(4, 2, 0)}, {.image = picture(4, 2, 100)}};
   scene.materials[0].metallic_map.texture = 0;
   scene.materials[0].roughness_map.texture = 1;
@@ -220,7 +220,7 @@ TEST(GltfWriter, WhatGltfHasNotIsToldAndApproximated) {
   gold.base_color = glm::vec3(0.0f);  // which its complex index hides
   Material orange = *materialNamed("orange");
   orange.name = "peel";
-  Scene scene = sceneOf(sphereMesh(), gold);
+  Scene scene = meshScene(sphereMesh(), gold);
   scene.meshes.push_back(sphereMesh());
   scene.meshes[1].edit().material = 1;
   scene.materials.push_back(orange);
@@ -243,7 +243,7 @@ TEST(GltfWriter, MapsThatGltfHasNotAreLeftOutAndTold) {
   material.normal_map.texture = 0;
   material.normal_space = NormalSpace::object;
   material.slope_texture = 0;
-  Scene scene = sceneOf(planeMesh(), material);
+  Scene scene = meshScene(planeMesh(), material);
   scene.textures.push_back({.image = picture(2, 2, 0)});
   scene.slope_textures.push_back(Image(1, 1, 3));
   const EncodedScene file = encoded(scene);
@@ -253,7 +253,7 @@ TEST(GltfWriter, MapsThatGltfHasNotAreLeftOutAndTold) {
 
 // The depths at which a camera clips: what it sees at −1 and at 1 lies there.
 TEST(GltfWriter, CamerasOfBothKindsAreWritten) {
-  const Scene scene = sceneOf(sphereMesh());
+  const Scene scene = meshScene(sphereMesh());
   CameraOptions options{.azimuth_deg = 0.0f, .elevation_deg = 0.0f, .distance = 3.0f, .fov_deg = 60.0f};
   const auto json = [&] { return jsonOf(encoded(scene, makeCamera(options, boundingSphere(scene), 2.0f))); };
   EXPECT_THAT(json(), HasSubstr("{\"name\":\"Camera\",\"camera\":0,\"matrix\":["));
@@ -269,7 +269,7 @@ TEST(GltfWriter, CamerasOfBothKindsAreWritten) {
 
 TEST(GltfWriter, ASceneWithoutTrianglesIsRefused) {
   EXPECT_EQ(encodeGlb(Scene{}).error().code, ErrorCode::bad_shape);
-  EXPECT_EQ(encodeGlb(sceneOf(Mesh{})).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(encodeGlb(meshScene(Mesh{})).error().code, ErrorCode::bad_shape);
 }
 
 }  // namespace

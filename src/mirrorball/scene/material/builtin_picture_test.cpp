@@ -22,13 +22,13 @@ TEST(BuiltinPicture, StripesAreHalfWhiteAndTile) {
 
 TEST(BuiltinPicture, EveryMapTakesOneByItsName) {
   for (const std::string_view name : builtinPictureNames()) {
-    Scene scene = sceneOf(sphereMesh());
+    Scene scene = meshScene(sphereMesh());
     ASSERT_TRUE(setParameter(scene, "base_color_map=" + std::string(name)));
     EXPECT_EQ(scene.textures.at(0).image.width(), 1024);
     EXPECT_TRUE(scene.textures[0].srgb);
     EXPECT_TRUE(scene.files.empty());
   }
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   EXPECT_FALSE(setParameter(scene, "base_color_map=strypes"));
 }
 

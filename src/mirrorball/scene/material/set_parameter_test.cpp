@@ -30,7 +30,7 @@ std::string onePixel() {
 TEST(SetParameter, EveryMapTakesAPicture) {
   const std::string path = onePixel();
   for (const MaterialMap& map : materialMaps()) {
-    Scene scene = sceneOf(sphereMesh());
+    Scene scene = meshScene(sphereMesh());
     scene.materials.resize(2);
     ASSERT_TRUE(setParameter(scene, std::string(map.name) + "=" + path)) << map.name;
     ASSERT_EQ(scene.textures.size(), 1u);
@@ -62,7 +62,7 @@ TEST(SetParameter, DataMapsKeepSixteenBits) {
   }
   ASSERT_TRUE(writeFile(path, bytes));
   for (const MaterialMap& map : materialMaps()) {
-    Scene scene = sceneOf(sphereMesh());
+    Scene scene = meshScene(sphereMesh());
     ASSERT_TRUE(setParameter(scene, std::string(map.name) + "=" + path)) << map.name;
     const SharedPicture& picture = scene.textures.at(0).image;
     ASSERT_EQ(picture.hasNumbers(), !map.srgb) << map.name;
@@ -75,7 +75,7 @@ TEST(SetParameter, DataMapsKeepSixteenBits) {
 TEST(SetParameter, MapsOfFloatsAreReadAsTheyAre) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   const std::string path = slopeFile({-0.6f, 0.0f, 0.8f});
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   ASSERT_TRUE(setParameter(scene, "normal_map=" + path));
   EXPECT_EQ(scene.materials[0].normal_zero, 0.0f);
   EXPECT_LT(glm::distance(scene.textures[0].image.at(0, 0), glm::vec4(-0.6f, 0.0f, 0.8f, 1.0f)), 1e-6f);
@@ -92,7 +92,7 @@ TEST(SetParameter, ANormalMapsZeroIsFoundAndSaidByHand) {
   Image8 flat(2, 2, 3, 128);
   for (std::size_t i = 2; i < flat.samples().size(); i += 3) flat.samples()[i] = 255;
   ASSERT_TRUE(savePicture(path, flat));
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   ASSERT_TRUE(setParameter(scene, "normal_map=" + path));
   EXPECT_EQ(scene.materials[0].normal_zero, 128.0f);
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normal_zero=127.5")));
@@ -102,7 +102,7 @@ TEST(SetParameter, ANormalMapsZeroIsFoundAndSaidByHand) {
 
 TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({-2.0f, 0.0f, 0.5f})));
   EXPECT_EQ(scene.materials[0].slope_texture, 0);
   EXPECT_EQ(rgbAt(scene.slope_textures.at(0), 0, 0), glm::vec3(-2.0f, 0.0f, 0.5f));
@@ -123,7 +123,7 @@ TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
 
 TEST(SetParameter, ADerivativeMapMustBeNumbersInColour) {
   MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   const auto said = [&](const std::string& value) {
     return setParameter(scene, "derivative_map" + value).error().message;
   };
@@ -140,7 +140,7 @@ TEST(SetParameter, ADerivativeMapMustBeNumbersInColour) {
 }
 
 TEST(SetParameter, SetsNumbersOfAllMaterials) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   scene.materials.resize(2);
   ASSERT_TRUE(setParameter(scene, "metallic=0.25"));
   for (const Material& material : scene.materials) EXPECT_EQ(material.metallic, 0.25f);
@@ -151,7 +151,7 @@ TEST(CheckParameter, SaysTheSameWithoutReadingPictures) {
   const std::string garbage = ::testing::TempDir() + "set_parameter_garbage.png";
   ASSERT_TRUE(writeFile(garbage, std::vector<std::uint8_t>{1, 2, 3}));
   for (const std::string name : {"base_color_map", "height", "derivative_map"}) {
-    Scene scene = sceneOf(sphereMesh());
+    Scene scene = meshScene(sphereMesh());
     EXPECT_FALSE(setParameter(scene, name + "=" + garbage));
     EXPECT_TRUE(checkParameter(name + "=" + garbage));
     EXPECT_TRUE(checkParameter(name + "=" + onePixel()));
@@ -167,7 +167,7 @@ TEST(CheckParameter, SaysTheSameWithoutReadingPictures) {
 }
 
 TEST(SetParameter, SaysWhatIsWrong) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   EXPECT_THAT(setParameter(scene, "base_color_map").error().message, HasSubstr("base_color_map=FILE"));
   EXPECT_THAT(setParameter(scene, "base_color_map=none.png").error().message, HasSubstr("none.png"));
   EXPECT_THAT(setParameter(scene, "base_colour_map=x.png").error().message, HasSubstr("base_color_map"));

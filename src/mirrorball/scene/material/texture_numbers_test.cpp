@@ -63,7 +63,7 @@ TEST(NormalZero, OfFloatsIs0WhereTheyAreSigned) {
 }
 
 TEST(NormalZero, OfASceneIsFoundForEachMapAndToldOnce) {
-  Scene scene = sceneOf(Mesh());
+  Scene scene = meshScene(Mesh());
   scene.materials.resize(3);
   scene.textures = {{.image = codes(2, {128, 128, 255})}, {.image = numbers(0.1f, signedNumbers)}};
   scene.materials[0].normal_map.texture = scene.materials[1].clearcoat_normal_map.texture = 0;

@@ -471,7 +471,7 @@ Result<Scene> decodePly(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   MIRRORBALL_TRY(header, parseHeader(text));
   MIRRORBALL_TRY(mesh, PlyDecoder(header, bytes).decode());
-  return sceneOf(std::move(mesh));
+  return meshScene(std::move(mesh));
 }
 
 }  // namespace mirrorball

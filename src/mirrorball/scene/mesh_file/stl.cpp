@@ -116,7 +116,7 @@ Result<Scene> decodeStl(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(mesh, is_binary ? decodeBinary(bytes) : decodeAscii(text));
   if (mesh.indices.empty()) return fail(ErrorCode::bad_file, "holds no facet with an area");
   computeTangents(mesh);
-  return sceneOf(std::move(mesh));
+  return meshScene(std::move(mesh));
 }
 
 }  // namespace mirrorball

@@ -104,7 +104,7 @@ TEST(Proxy, SolidAnglesGrowAsItSays) {
 TEST(Proxy, TrianglesOfABoxAreTheBox) {
   const Proxy box = placed("box:-1,-1,-1,1,1,1");
   const Proxy cube = placed("cube");
-  const Box sides = boundingBox(sceneOf(cubeMesh()));
+  const Box sides = boundingBox(meshScene(cubeMesh()));
   const glm::vec3 half = sides.high;
   const glm::vec3 origin(0.1f, 0.3f, -0.2f);
   for (const glm::vec3& d : directions())
@@ -128,7 +128,7 @@ TEST(Proxy, APlaceOutsideCountsAsTheNearestWithin) {
 }
 
 TEST(Proxy, TheModelStandsOnTheGround) {
-  Scene scene = sceneOf(sphereMesh());
+  Scene scene = meshScene(sphereMesh());
   scene.instances[0].world_from_object[3] = glm::vec4(3.0f, 5.0f, 1.0f, 1.0f);
   const Proxy ground = placed("ground:2", scene);
   EXPECT_NEAR(ground.ground, 4.0f, 1e-5f);

@@ -30,7 +30,7 @@ Scene sceneWith(Mesh mesh, Image heights, MapEdges edges, float frequency = 1.0f
   material.height_texture = 0;
   material.height_scale = scale;
   material.height_frequency = frequency;
-  Scene scene = sceneOf(std::move(mesh), material);
+  Scene scene = meshScene(std::move(mesh), material);
   auto texture = heightTexture(std::move(heights), edges);
   EXPECT_TRUE(texture);
   scene.height_textures.push_back(std::move(*texture));

@@ -18,7 +18,7 @@ Scene planeOf(HeightKind kind, float scale) {
   material.height = kind;
   material.height_scale = scale;
   material.height_frequency = 1.0f;
-  return sceneOf(planeMesh(), material);
+  return meshScene(planeMesh(), material);
 }
 
 TEST(PrepareRelief, TurnsHeightsOverWhereTheScaleIsBelowZero) {

@@ -120,7 +120,7 @@ void addGridTriangles(Mesh& mesh, std::uint32_t first, int rows, int columns) {
 }
 
 void fitToUnitSphere(Mesh& mesh) {
-  Scene scene = sceneOf(std::move(mesh));
+  Scene scene = meshScene(std::move(mesh));
   const BoundingSphere bounds = boundingSphere(scene);
   mesh = *scene.meshes.front();
   for (Vertex& vertex : mesh.vertices) vertex.position = (vertex.position - bounds.center) / bounds.radius;

@@ -18,7 +18,7 @@ using testing::signedVolume;
 
 TEST(SphereMesh, IsARoundClosedUnitSphere) {
   const Mesh mesh = sphereMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.999f);
   expectEdgesPaired(mesh);
   // The volume that 128 rings of 256 segments lack of the ball's falls with the square of the step.
@@ -43,7 +43,7 @@ TEST(SphereMesh, OfTheFewestRingsIsClosed) {
 
 TEST(TorusMesh, HasItsVolume) {
   const Mesh mesh = torusMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
   expectEdgesPaired(mesh);
@@ -53,7 +53,7 @@ TEST(TorusMesh, HasItsVolume) {
 
 TEST(KnotMesh, IsAClosedTubeWithoutASeam) {
   const Mesh mesh = knotMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.99f);
   expectTangentsAlongU(mesh, 0.999f);
   expectEdgesPaired(mesh);
@@ -79,7 +79,7 @@ TEST(KnotMesh, IsTheTrefoilInItsTubesMiddle) {
 
 TEST(PlaneMesh, FacesUp) {
   const Mesh mesh = planeMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
   for (const Vertex& vertex : mesh.vertices) EXPECT_EQ(vertex.normal, glm::vec3(0, 1, 0));
@@ -87,7 +87,7 @@ TEST(PlaneMesh, FacesUp) {
 
 TEST(CubeMesh, HasSixUprightFaces) {
   const Mesh mesh = cubeMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
   expectEdgesPaired(mesh);

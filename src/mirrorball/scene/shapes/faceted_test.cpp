@@ -35,7 +35,7 @@ double girdleRadius(const Mesh& mesh) {
 
 TEST(BrilliantMesh, IsAClosedConvexStoneOf57FacetsAndAGirdle) {
   const Mesh mesh = brilliantMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.99999f);  // flat
   expectTangentsAlongU(mesh, 0.999f);
   expectEdgesPaired(mesh);
@@ -102,7 +102,7 @@ TEST(BrilliantMesh, HasItsVolume) {
 
 TEST(PrismMesh, IsAClosedEquilateralPrismLyingOnASide) {
   const Mesh mesh = prismMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.99999f);
   expectTangentsAlongU(mesh, 0.999f);
   expectEdgesPaired(mesh);

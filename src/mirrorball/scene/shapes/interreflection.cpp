@@ -51,7 +51,7 @@ Mesh bowlMesh() {
 
 Scene spheresScene(float gap) {
   assert(gap >= 0.0f);
-  Scene scene = sceneOf(sphereMesh(), *materialNamed("mirror"));
+  Scene scene = meshScene(sphereMesh(), *materialNamed("mirror"));
   const glm::vec3 from_middle(1.0f + gap / 2.0f, 0.0f, 0.0f);
   scene.instances = {{0, glm::translate(glm::mat4(1.0f), -from_middle)},
                      {0, glm::translate(glm::mat4(1.0f), from_middle)}};
@@ -65,7 +65,7 @@ Scene bowlScene() {
   clay.perceptual_roughness = 0.8f;
   clay.name = "clay";
   clay.occlusion_map = {.texture = 0, .uv_set = 1};
-  Scene scene = sceneOf(bowlMesh(), clay);
+  Scene scene = meshScene(bowlMesh(), clay);
   scene.textures.push_back({.image = Image8(1, 2, 4, 255), .nearest = true});
   scene.textures[0].image.edit().texel(0, 0)[0] = static_cast<std::uint8_t>(std::lround(255.0f * kBowlOpenShare));
   fitToUnitSphere(scene);

@@ -48,7 +48,7 @@ void addStanding(Scene& all, Scene object, const Stand& stand) {
   }
 }
 
-Scene shapeOf(Mesh mesh, std::string_view material) { return sceneOf(std::move(mesh), *materialNamed(material)); }
+Scene shapeOf(Mesh mesh, std::string_view material) { return meshScene(std::move(mesh), *materialNamed(material)); }
 
 }  // namespace
 

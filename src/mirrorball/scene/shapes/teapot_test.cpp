@@ -89,7 +89,7 @@ TEST(TeapotPatches, HaveThePublishedControlPoints) {
 
 TEST(TeapotMesh, StandsUprightWithItsSpoutTowardsPlusX) {
   const Mesh mesh = teapotMesh();
-  const BoundingSphere bounds = boundingSphere(sceneOf(mesh));
+  const BoundingSphere bounds = boundingSphere(meshScene(mesh));
   EXPECT_LT(glm::length(bounds.center), 1e-5f);
   EXPECT_NEAR(bounds.radius, 1.0f, 1e-5f);
 

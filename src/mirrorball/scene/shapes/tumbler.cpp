@@ -69,7 +69,7 @@ Mesh tumblerMesh() {
 Scene tumblerWaterScene() {
   Material glass = *materialNamed("glass");
   glass.priority = 1;
-  Scene scene = sceneOf(revolvedMesh(glassProfile(), kTumblerSegments), glass);
+  Scene scene = meshScene(revolvedMesh(glassProfile(), kTumblerSegments), glass);
   scene.materials.push_back(*materialNamed("water"));
   scene.meshes.push_back(revolvedMesh(waterProfile(), kTumblerSegments));
   scene.meshes.back().edit().material = 1;

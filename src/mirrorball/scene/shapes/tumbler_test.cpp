@@ -39,7 +39,7 @@ glm::dvec2 onArc(glm::dvec2 center, double radius, double angle) {
 // Pappus' way around the section, in mm: 110 high, 80 wide at the rim, walls of 3, a bottom of 10.
 TEST(TumblerMesh, IsAClosedGlassWithItsVolume) {
   const Mesh mesh = tumblerMesh();
-  expectUnitBounds(sceneOf(mesh));
+  expectUnitBounds(meshScene(mesh));
   expectSound(mesh, 0.999f);
   expectEdgesPaired(mesh);
 

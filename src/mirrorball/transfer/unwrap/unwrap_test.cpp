@@ -13,7 +13,7 @@ namespace mirrorball {
 namespace {
 
 /// A mesh with one vertex a place.
-Mesh welded(const Mesh& mesh) { return simplified(sceneOf(mesh), mesh.indices.size())->mesh; }
+Mesh welded(const Mesh& mesh) { return simplified(meshScene(mesh), mesh.indices.size())->mesh; }
 
 /// Which triangles are in the map, and whether any lie over each other.
 struct Coverage {

@@ -172,9 +172,9 @@ TEST_F(ConvertTextureTest, LightBeyondHalfFloatsIsKeptInFloatsWithARemark) {
     const std::string file = output.substr(0, output.find(' '));
     const Outcome outcome = run("convert bright.hdr --to cube --size 64 -o " + output);
     EXPECT_EQ(outcome.exit_code, 0) << output;
-    EXPECT_EQ(outcome.err,
-              "mirrorball: note: " + file + ": holds light that half floats do not; written in 32-bit floats; --format "
-              "half is half as large, and cuts what is brighter than 65504\n");
+    EXPECT_EQ(outcome.err, "mirrorball: note: " + file +
+                               ": holds light that half floats do not; written in 32-bit floats; --format "
+                               "half is half as large, and cuts what is brighter than 65504\n");
     EXPECT_THAT(succeed("info " + file), HasSubstr("r32g32b32a32 sfloat"));
     float max = 0.0f;
     const ImageSet images = texture(file);

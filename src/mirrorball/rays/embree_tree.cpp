@@ -154,8 +154,8 @@ RayTracer fastestRayTracer() { return RayTracer::embree; }
 
 namespace {
 
-/// Whether there are enough addresses for Embree. Where they end while its threads or TBB's pools begin, it crashes or hangs instead of
-/// failing.
+/// Whether there are enough addresses for Embree. Where they end while its threads or TBB's pools begin, it crashes or
+/// hangs instead of failing.
 bool hasRoom(const Scene& scene) {
   constexpr std::uint64_t kOfThreadsAndPools = std::uint64_t{1} << 30, kOfTriangle = 400;
   std::uint64_t triangles = 0;

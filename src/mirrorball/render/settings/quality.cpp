@@ -62,8 +62,8 @@ bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::str
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return given.contains(name); });
 }
 
-/// Of some options those that ask for something: a classic technique at its default asks for nothing, and no probes show
-/// nothing.
+/// Of some options those that ask for something: a classic technique at its default asks for nothing, and no probes
+/// show nothing.
 std::set<std::string_view> sayingOtherwise(std::set<std::string_view> options, const FrameSettings& settings) {
   for (const Option<FrameSettings>& option : frameOptions())
     if (contains(kClassicTechniques, option.text.name) && written(option, settings) == written(option, FrameSettings()))

@@ -101,6 +101,7 @@ void add(const ModelInfo& model, Json& json) {
   json["cameras"] = arrayOfEach<ModelCamera>(scene.cameras, jsonOfCamera);
   json["lights"] = arrayOfEach<ModelLight>(scene.lights, jsonOfLight);
   json["animations"] = arrayOfEach<Animation>(scene.rig.animations, jsonOfAnimation);
+  json["material_facts"] = Json::array();
   for (const MaterialFacts& facts : model.materials) json["material_facts"].push_back(jsonOfMaterial(facts));
   json["notes"] = scene.warnings;
   for (const std::string& mistake : likelyMistakes(scene)) json["notes"].push_back(mistake);

@@ -30,7 +30,8 @@ bool isNeutralAt128(const ImageOf<Sample>& image, NeutralChannels channels) {
   constexpr Sample kGreatest = kHasFloats ? Sample(1) : std::numeric_limits<Sample>::max();
   constexpr auto kNeutral = static_cast<Sample>(kHasFloats ? 128.0f / 255.0f : 128.0f);
   const auto codeOf = [](Sample sample) -> std::size_t {
-    if constexpr (kHasFloats) return static_cast<std::size_t>(std::lround(255.0f * std::clamp(sample, 0.0f, 1.0f)));
+    if constexpr (kHasFloats)
+      return static_cast<std::size_t>(std::lround(sample > 0.0f ? 255.0f * std::min(sample, 1.0f) : 0.0f));
     return static_cast<std::size_t>(sample);
   };
   std::vector<std::uint32_t> counts(std::size_t{256} * 256, 0u);

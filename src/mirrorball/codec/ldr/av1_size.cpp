@@ -102,13 +102,13 @@ std::optional<glm::uvec2> sizeInAv1(std::span<const std::uint8_t> obus) {
   while (!obus.empty()) {
     const unsigned header = obus.front();
     const bool has_extension = (header & 4u) != 0, has_size = (header & 2u) != 0;
-    if (obus.size() < (has_extension ? 2u : 1u)) return std::nullopt;
+    if (obus.size() < (has_extension ? 2u : 1u)) return largest;
     obus = obus.subspan(has_extension ? 2 : 1);
     const std::optional<std::size_t> size = has_size ? readSize(obus) : std::optional(obus.size());
-    if (!size || *size > obus.size()) return std::nullopt;
+    if (!size || *size > obus.size()) return largest;
     if ((header >> 3 & 15u) == kSequenceHeader) {
       const std::optional<glm::uvec2> found = sizeInSequenceHeader(obus.first(*size));
-      if (!found) return std::nullopt;
+      if (!found) return largest;
       largest = glm::max(largest.value_or(glm::uvec2(0u)), *found);
     }
     obus = obus.subspan(*size);

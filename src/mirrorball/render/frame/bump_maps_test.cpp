@@ -120,6 +120,21 @@ TEST_P(BumpMapsTest, FineNormalMapsReflectWithinATwentiethOfADegree) {
   }
 }
 
+// As is written beside the charts of a map: the surface keeps its normal there.
+TEST_P(BumpMapsTest, ATexelWithoutADirectionChangesNothing) {
+  for (const bool has_floats : {false, true}) {
+    Material material = bumpyMirror();
+    material.normal_zero = has_floats ? 0.0f : 128.0f;
+    Scene scene = meshScene(testing::mirroredPair(), material);
+    if (has_floats)
+      scene.textures.push_back({.image = Image(4, 4, 4, 0.0f)});
+    else
+      scene.textures.push_back({.image = Image8(4, 4, 4, 128)});
+    scene.materials[0].normal_map.texture = 0;
+    EXPECT_LT(glm::distance(middle(drawn(std::move(scene))), mirrored({0, 0, 1})), 2e-3f) << has_floats;
+  }
+}
+
 // The picture is its own mirror image, and so is the compass, but for red.
 TEST_P(BumpMapsTest, MirroredCoordinatesShadeWithoutASeam) {
   for (const BumpForm form : testing::kEveryBumpForm) {

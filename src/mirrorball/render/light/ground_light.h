@@ -16,8 +16,8 @@ struct GroundLight {
   glm::vec3 share{0.0f};      ///< of all such lights it is 1
 };
 
-/// What lights a level ground: directions of which one half is chosen by the environment's light, as many of them at a
-/// sun as it has of the light, and the other by what an even sky would send. Without the latter, the soft shadow beside
+/// What lights a level ground: directions that are chosen in turn by the environment's light, as many of them at a
+/// sun as it has of the light, and by what an even sky would send. Without the latter, the soft shadow beside
 /// a strong sun would be a pile of the few silhouettes that are left for the sky.
 struct GroundLights {
   std::vector<GroundLight> lights;

@@ -133,7 +133,11 @@ Result<void> Materials::setPicture(std::size_t index, const SharedPicture& pictu
       scene_.warnings.push_back(file_.name + ": " + quoted("images", std::size_t(planned_[index].image)) + " " +
                                 change);
   }
-  if (planned_[index].glossiness) makeRoughness(texture.image, *planned_[index].glossiness);
+  if (planned_[index].glossiness) {
+    // Shared codes are copied to be changed.
+    if (!picture.hasNumbers()) MIRRORBALL_TRY_VOID(file_.named.budget().take(picture.bytes()));
+    makeRoughness(texture.image, *planned_[index].glossiness);
+  }
   return {};
 }
 

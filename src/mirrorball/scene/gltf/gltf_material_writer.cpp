@@ -94,14 +94,18 @@ bool hasPlace(const MaterialParameter& parameter, const Material& material) {
 
 /// Floats as codes of 8 bits, as glTF has them in a texture: colours sRGB-encoded, normals about 127.5.
 ///
-/// zero   that the normals are encoded with
-Image8 codesOf(const mirrorball::Image& numbers, const MaterialMap& map, float zero) {
+/// zero     that the normals are encoded with
+/// divisor  of colours
+Image8 codesOf(const mirrorball::Image& numbers, const MaterialMap& map, float zero, float divisor) {
   Image8 codes = Image8::withoutValues(numbers.width(), numbers.height(), 4);
   for (std::size_t i = 0; i < numbers.samples().size(); i += 4) {
     const float* const number = numbers.samples().data() + i;
     glm::vec3 color(number[0], number[1], number[2]);
-    if (map.holdsNormals()) color = 0.5f + 0.5f * formula::decodedNormal(color, zero);
-    if (map.srgb) color = formula::srgbFromLinear(color);
+    if (map.holdsNormals()) {
+      const glm::vec3 normal = formula::decodedNormal(color, zero);
+      color = 0.5f + 0.5f * normal / std::max(glm::length(normal), 1.0f);
+    }
+    if (map.srgb) color = formula::srgbFromLinear(color / divisor);
     const glm::vec4 rounded = glm::round(255.0f * glm::clamp(glm::vec4(color, number[3]), 0.0f, 1.0f));
     for (int channel = 0; channel < 4; ++channel)
       codes.samples()[i + std::size_t(channel)] = static_cast<std::uint8_t>(rounded[channel]);
@@ -128,7 +132,10 @@ class MaterialWriter {
         const int index = (material.*map.slot).texture;
         if (index < 0 || !textures_[std::size_t(index)].image.hasNumbers()) continue;
         SharedPicture& picture = textures_[std::size_t(index)].image;
-        picture = codesOf(picture.numbers(), map, map.holdsNormals() ? material.*map.zero : 0.0f);
+        const bool is_light = map.slot == &Material::emission_map;
+        const float brightest = is_light ? std::max(largestSample(picture.numbers()), 1.0f) : 1.0f;
+        if (is_light) brightest_[index] = brightest;
+        picture = codesOf(picture.numbers(), map, map.holdsNormals() ? material.*map.zero : 0.0f, brightest);
         left_out_.push_back(std::string(map.name) + ": what is finer than 8 bits is left out");
       }
   }
@@ -136,6 +143,9 @@ class MaterialWriter {
   void writeMaterial(std::size_t index) {
     Material material = scene_.materials[index];
     forgetZeros(material);
+    // Codes end at 1: what is brighter is in the factor.
+    if (const auto found = brightest_.find(material.emission_map.texture); found != brightest_.end())
+      material.emission *= found->second;
     std::vector<std::string> lost = approximate(material);
     joinMetallicAndRoughness(material, lost);
     OutputJson json = OutputJson::object();
@@ -298,6 +308,7 @@ class MaterialWriter {
   GlbBuilder& file_;
   std::vector<std::string>& left_out_;
   std::vector<mirrorball::Texture> textures_;  // the scene's, with codes
+  std::map<int, float> brightest_;             // of emission maps that had floats, by which these were divided
   std::deque<mirrorball::Texture> made_;
   std::map<std::pair<int, int>, int> joined_;  // textures of metallic and roughness → the one made of them
   std::map<int, std::size_t> index_in_file_;   // texture → place in used_

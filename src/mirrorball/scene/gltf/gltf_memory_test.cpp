@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,19 +38,26 @@ class GltfMemory : public ::testing::Test {
     ASSERT_TRUE(savePicture(folder_ / name, Image8(side, side, 3, 100)));
   }
 
+  static std::string glowing(std::size_t texture) {
+    return R"("emissiveTexture":{"index":)" + std::to_string(texture) + "}";
+  }
+
   /// A model with a triangle and a material for each texture.
   ///
   /// images    by their uris
   /// textures  by their members
+  ///
+  /// materialOfTexture   a material's members for the texture of that index
   Result<Scene> read(const std::vector<std::string>& images, const std::vector<std::string>& textures,
-                     const std::string& samplers = "[]") const {
+                     const std::string& samplers = "[]",
+                     const std::function<std::string(std::size_t)>& materialOfTexture = glowing) const {
     GltfMaker maker;
     maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
     std::string primitives, materials, listed, uris;
     for (std::size_t i = 0; i < textures.size(); ++i) {
       const std::string comma = i > 0 ? "," : "", index = std::to_string(i);
       primitives += comma + R"({"attributes":{"POSITION":0},"material":)" + index + "}";
-      materials += comma + R"({"emissiveTexture":{"index":)" + index + "}}";
+      materials += comma + "{" + materialOfTexture(i) + "}";
       listed += comma + "{" + textures[i] + "}";
     }
     for (const std::string& uri : images) uris += (uris.empty() ? "" : ",") + (R"({"uri":")" + uri + "\"}");
@@ -115,6 +123,22 @@ TEST_F(GltfMemory, TexturesOfOnePictureShareItsTexels) {
   ASSERT_TRUE(all) << all.error().message;
   ASSERT_EQ(all->textures.size(), 18u);
   for (const Texture& each : all->textures) EXPECT_TRUE(each.image.isSameAs(all->textures[0].image));
+}
+
+// Each glossiness makes another roughness of the picture.
+TEST_F(GltfMemory, PicturesThatAreChangedCountEachTime) {
+  write("a.png", 512);
+  const auto glossy = [](std::size_t texture) {
+    return R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"glossinessFactor":)" +
+           std::to_string(0.01 * double(texture + 1)) + R"(,"specularGlossinessTexture":{"index":)" +
+           std::to_string(texture) + "}}}";
+  };
+  const std::vector<std::string> textures(20, R"("source":0)");
+  ASSERT_TRUE(read({"a.png"}, textures, "[]", glossy));
+  setMemoryLimit(8 * kMega);
+  const auto refused = read({"a.png"}, textures, "[]", glossy);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
 }
 
 // A file is asked for its size before it is read: this one has a hole of 3 GB, and takes no room on the disk.

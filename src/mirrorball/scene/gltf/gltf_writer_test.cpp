@@ -51,6 +51,30 @@ std::string parametersOf(const Material& material) {
   return all;
 }
 
+// Codes end at 1, and the factor holds what is brighter; normals longer than 1 keep their direction.
+TEST(GltfWriter, FloatsBecomeCodes) {
+  Scene scene = meshScene(sphereMesh());
+  Image light(1, 1, 4, 1.0f), normal(1, 1, 4, 0.0f);
+  for (int channel = 0; channel < 3; ++channel) light.texel(0, 0)[channel] = 50.0f;
+  normal.texel(0, 0)[0] = 1.2f;
+  normal.texel(0, 0)[2] = 1.6f;
+  scene.textures = {{.image = std::move(light)}, {.image = std::move(normal)}};
+  scene.materials[0].emission = glm::vec3(1.0f);
+  scene.materials[0].emission_map.texture = 0;
+  scene.materials[0].normal_map.texture = 1;
+  scene.materials[0].normal_zero = 0.0f;
+  const auto file = encodeGlb(scene);
+  ASSERT_TRUE(file) << file.error().message;
+  const auto again = decodeGltf(file->bytes, "floats.glb");
+  ASSERT_TRUE(again) << again.error().message;
+  const Material& material = again->materials[0];
+  EXPECT_NEAR(material.emission.x, 50.0f, 1e-3f);
+  EXPECT_EQ(again->textures[std::size_t(material.emission_map.texture)].image.at(0, 0).x, 1.0f);
+  const glm::vec4 encoded = again->textures[std::size_t(material.normal_map.texture)].image.at(0, 0);
+  EXPECT_LT(glm::distance(2.0f * glm::vec3(encoded) - 1.0f, glm::vec3(0.6f, 0.0f, 0.8f)), 0.01f);
+  EXPECT_THAT(file->left_out, ::testing::Contains(::testing::HasSubstr("finer than 8 bits")));
+}
+
 /// A picture whose texels are all different.
 Image8 picture(int width, int height, std::uint8_t first) {
   Image8 image(width, height, 4);

@@ -44,7 +44,7 @@ Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& pat
   scene.textures.push_back(std::move(texture));
   for (Material& material : scene.materials)
     material.*map.slot = {.texture = static_cast<int>(scene.textures.size()) - 1};
-  if (map.holdsNormals()) findNormalZeros(scene, path);
+  if (map.holdsNormals()) findNormalZeros(scene, path, &map);
   return {};
 }
 

@@ -25,18 +25,45 @@ glm::vec3 normalAt(const Image& numbers, std::size_t texel, float zero) {
   return formula::decodedNormal(glm::vec3(number[0], number[1], number[2]), zero);
 }
 
-/// The mean over all texels of what a cost says of the normal that they are with this zero.
+/// The sum over the texels of what a cost says of the normal that they are with this zero. Texels that have no direction
+/// with one of the two zeros, as what lies beside the charts of a map, do not count.
 template <typename Cost>
-double meanCost(const Image& numbers, float zero, const Cost& cost) {
+double sumOfCosts(const Image& numbers, float zero, const Cost& cost) {
+  constexpr float kShortest = 0.05f;
   double sum = 0.0;
-  for (std::size_t texel = 0; texel < numbers.texelCount(); ++texel) sum += cost(normalAt(numbers, texel, zero));
-  return sum / static_cast<double>(numbers.texelCount());
+  for (std::size_t texel = 0; texel < numbers.texelCount(); ++texel)
+    if (glm::length(normalAt(numbers, texel, kSignedZero)) > kShortest &&
+        glm::length(normalAt(numbers, texel, kGltfZero)) > kShortest)
+      sum += cost(normalAt(numbers, texel, zero));
+  return sum;
 }
 
-/// That of the two kinds of floats at which the mean of `cost` is less.
+/// Whether some number is below 0 by more than filters ring.
+bool hasNegative(const Image& numbers) {
+  constexpr float kRinging = -0.01f;
+  for (std::size_t i = 0; i < numbers.samples().size(); ++i)
+    if (i % 4 != 3 && numbers.samples()[i] < kRinging) return true;
+  return false;
+}
+
+/// Whether the numbers are codes of 16 bits, which are never signed: all are multiples of 1/65535, and not 0 and 1 alone.
+bool areCodes(const Image& numbers) {
+  constexpr float kGreatest = 65535.0f, kRounding = 0.01f;
+  bool has_others = false;
+  for (const float number : numbers.samples()) {
+    const float code = kGreatest * number;
+    if (std::abs(code - std::round(code)) > kRounding) return false;
+    has_others = has_others || (number != 0.0f && number != 1.0f);
+  }
+  return has_others;
+}
+
+/// That of the two zeros of floats with which they are likelier to be normals: at which the cost of them is less.
 template <typename Cost>
-float cheaperZero(const Image& numbers, const Cost& cost) {
-  return meanCost(numbers, kSignedZero, cost) < meanCost(numbers, kGltfZero, cost) ? kSignedZero : kGltfZero;
+float likelierZero(const Image& numbers, const Cost& cost) {
+  if (hasNegative(numbers)) return kSignedZero;
+  if (areCodes(numbers)) return kGltfZero;
+  return sumOfCosts(numbers, kSignedZero, cost) < sumOfCosts(numbers, kGltfZero, cost) ? kSignedZero : kGltfZero;
 }
 
 bool hasBlue(const Image& numbers) {
@@ -48,7 +75,7 @@ bool hasBlue(const Image& numbers) {
 /// Gives normals of which a file keeps x and y alone their z.
 void addBlue(Image& numbers) {
   const auto square = [](glm::vec3 n) { return n.x * n.x + n.y * n.y; };
-  const float zero = cheaperZero(numbers, [&](glm::vec3 n) { return std::max(double(square(n)) - 1.0, 0.0); });
+  const float zero = likelierZero(numbers, [&](glm::vec3 n) { return std::max(double(square(n)) - 1.0, 0.0); });
   for (std::size_t texel = 0; texel < numbers.texelCount(); ++texel) {
     const float z = std::sqrt(std::max(1.0f - square(normalAt(numbers, texel, zero)), 0.0f));
     numbers.samples()[4 * texel + 2] = formula::encodedNormal(glm::vec3(z), zero).z;
@@ -132,15 +159,15 @@ float findNormalZero(const SharedPicture& map) {
       map.hasNumbers() ? isNeutralAt128(map.numbers(), kOfNormals) : isNeutralAt128(map.codes(), kOfNormals);
   if (is_flat_at_128) return kNeutralCode;
   if (!map.hasNumbers()) return kGltfZero;
-  return cheaperZero(map.numbers(), [](glm::vec3 n) { return std::abs(double(glm::length(n)) - 1.0); });
+  return likelierZero(map.numbers(), [](glm::vec3 n) { return std::abs(double(glm::length(n)) - 1.0); });
 }
 
-void findNormalZeros(Scene& scene, const std::string& name) {
+void findNormalZeros(Scene& scene, const std::string& name, const MaterialMap* only) {
   std::map<int, float> zeros;
   for (Material& material : scene.materials)
     for (const MaterialMap& map : materialMaps()) {
       const int texture = (material.*map.slot).texture;
-      if (!map.holdsNormals() || texture < 0) continue;
+      if (!map.holdsNormals() || texture < 0 || (only != nullptr && map.slot != only->slot)) continue;
       const auto [zero, is_new] = zeros.try_emplace(texture, 0.0f);
       if (is_new) zero->second = findNormalZero(scene.textures[std::size_t(texture)].image);
       material.*map.zero = zero->second;

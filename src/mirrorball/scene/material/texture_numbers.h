@@ -32,14 +32,15 @@ Image decodedNormals(const SharedPicture& map, float zero);
 /// What stands for 0 in a normal map: `Material::normal_zero`.
 ///
 /// returns  128 where the most frequent texel is (128, 128, 255) of 255, with which programs say "flat", though by
-///          glTF's rule it leans by 0.3°; of floats 0 where they are nearer to unit vectors as they are than decoded;
-///          else 127.5, glTF's
+///          glTF's rule it leans by 0.3°; of floats 0 where some are negative, or all nearer to unit vectors as they are
+///          than decoded; else 127.5, glTF's
 /// cost     isNeutralAt128()'s; of floats 10 ns a texel
 float findNormalZero(const SharedPicture& map);
 
 /// Sets what stands for 0 in every normal map of a scene, and adds one remark to its warnings where that is 128.
 ///
 /// name     what has the maps, for the remark
-void findNormalZeros(Scene& scene, const std::string& name);
+/// only     the row of the maps to look at; nullptr: all
+void findNormalZeros(Scene& scene, const std::string& name, const MaterialMap* only = nullptr);
 
 }  // namespace mirrorball

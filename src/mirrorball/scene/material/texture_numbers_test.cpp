@@ -1,5 +1,6 @@
 #include "mirrorball/scene/material/texture_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -60,6 +61,29 @@ TEST(NormalZero, OfFloatsIs0WhereTheyAreSigned) {
     EXPECT_EQ(findNormalZero(numbers(slope, signedNumbers)), 0.0f) << slope;
     EXPECT_EQ(findNormalZero(numbers(slope, halved)), 127.5f) << slope;
   }
+}
+
+// Short normals, as filters leave them, and what lies beside the charts.
+TEST(NormalZero, OfSixteenBitsIsNever0) {
+  const auto code = [](glm::vec3 stored) { return glm::round(65535.0f * stored) / 65535.0f; };
+  const Image shorter = numbers(0.05f, [&](glm::vec3 n) { return code(0.5f + 0.5f * 0.75f * n); });
+  EXPECT_EQ(findNormalZero(shorter), 127.5f);
+  Image padded = numbers(1.5f, signedNumbers);
+  for (int x = 0; x < 8; ++x)
+    for (int y = 1; y < 8; ++y)
+      for (int channel = 0; channel < 3; ++channel) padded.texel(x, y)[channel] = 0.0f;
+  EXPECT_EQ(findNormalZero(padded), 0.0f);
+}
+
+TEST(NormalZero, OfOneMapLeavesThatOfAnother) {
+  Scene scene = meshScene(Mesh());
+  scene.textures = {{.image = codes(2, {128, 128, 255})}};
+  scene.materials[0].normal_map.texture = scene.materials[0].clearcoat_normal_map.texture = 0;
+  const MaterialMap& map = *std::find_if(materialMaps().begin(), materialMaps().end(),
+                                         [](const MaterialMap& each) { return each.slot == &Material::normal_map; });
+  findNormalZeros(scene, "a.png", &map);
+  EXPECT_EQ(scene.materials[0].normal_zero, 128.0f);
+  EXPECT_EQ(scene.materials[0].clearcoat_normal_zero, 127.5f);
 }
 
 TEST(NormalZero, OfASceneIsFoundForEachMapAndToldOnce) {

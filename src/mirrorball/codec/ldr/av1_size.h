@@ -12,8 +12,8 @@ namespace mirrorball {
 /// in an AVIF, may say another one.
 ///
 /// obus     open bitstream units, one behind the other
-/// returns  of all sequence headers the largest width and the largest height; nothing where there is none. The units are
-///          followed up to the first that is cut
+/// returns  of all sequence headers the largest width and the largest height, up to the first unit that is cut; nothing
+///          where there is none
 /// from     AV1 Bitstream & Decoding Process Specification 1.0.0 with errata 1, 5.3 to 5.5
 std::optional<glm::uvec2> sizeInAv1(std::span<const std::uint8_t> obus);
 

@@ -25,8 +25,8 @@ glm::vec3 normalAt(const Image& numbers, std::size_t texel, float zero) {
   return formula::decodedNormal(glm::vec3(number[0], number[1], number[2]), zero);
 }
 
-/// The sum over the texels of what a cost says of the normal that they are with this zero. Texels that have no direction
-/// with one of the two zeros, as what lies beside the charts of a map, do not count.
+/// The sum over the texels of what a cost says of the normal that they are with this zero. Texels that have no
+/// direction with one of the two zeros, as what lies beside the charts of a map, do not count.
 template <typename Cost>
 double sumOfCosts(const Image& numbers, float zero, const Cost& cost) {
   constexpr float kShortest = 0.05f;
@@ -46,7 +46,8 @@ bool hasNegative(const Image& numbers) {
   return false;
 }
 
-/// Whether the numbers are codes of 16 bits, which are never signed: all are multiples of 1/65535, and not 0 and 1 alone.
+/// Whether the numbers are codes of 16 bits, which are never signed: all are multiples of 1/65535, and not 0 and 1
+/// alone.
 bool areCodes(const Image& numbers) {
   constexpr float kGreatest = 65535.0f, kRounding = 0.01f;
   bool has_others = false;

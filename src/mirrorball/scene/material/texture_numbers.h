@@ -32,8 +32,8 @@ Image decodedNormals(const SharedPicture& map, float zero);
 /// What stands for 0 in a normal map: `Material::normal_zero`.
 ///
 /// returns  128 where the most frequent texel is (128, 128, 255) of 255, with which programs say "flat", though by
-///          glTF's rule it leans by 0.3°; of floats 0 where some are negative, or all nearer to unit vectors as they are
-///          than decoded; else 127.5, glTF's
+///          glTF's rule it leans by 0.3°; of floats 0 where some are negative, or where all are nearer to unit vectors
+///          as they are than decoded; else 127.5, glTF's
 /// cost     isNeutralAt128()'s; of floats 10 ns a texel
 float findNormalZero(const SharedPicture& map);
 

@@ -99,7 +99,7 @@ TEST_F(TransferTest, MakesALightModelWithItsMap) {
   EXPECT_EQ(light->materials[0].normal_map.texture, 0);
   EXPECT_EQ(light->textures[0].image.width(), 128);
   // What was written is the map of what was written: made again of it, it is the same but for rounding.
-  succeed("transfer sphere light.glb --size 128 -o again.png");
+  succeed("transfer --quiet sphere light.glb --size 128 -o again.png");
   const Image8 first = decodeTexture(bytes("normal.png")).value(), again = decodeTexture(bytes("again.png")).value();
   std::size_t apart = 0;
   for (std::size_t i = 0; i < first.samples().size(); ++i)

@@ -94,7 +94,9 @@ TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
     refuseModel("words." + extension);
   }
   write("model.fbx", std::string("Kaydara"));
-  refuseModel("model.fbx", ".glb .gltf .obj .ply .stl");
+  refuseModel("model.fbx", "is an FBX, which is not read; open it in Blender and export it as glTF 2.0 (.glb)");
+  write("model.xyz", std::string("1 2 3"));
+  refuseModel("model.xyz", ".glb .gltf .obj .ply .stl");
   std::filesystem::create_directory(path("folder.obj"));
   refuseModel("folder.obj", "is a folder");
 }

@@ -172,8 +172,8 @@ TEST_F(TransferRenderTest, AStatueOfFewTrianglesLooksAsTheDenseOne) {
   succeed("transfer lucy.glb --simplify 5000 --model-out light.glb");
   const std::string size = " --size 480x640 -o ";
   succeed("render lucy.glb" + size + "dense.png");
-  succeed("render light.glb" + size + "mapped.png");
-  succeed("render light.glb --set normal_scale=0" + size + "bare.png");
+  succeed("render --quiet light.glb" + size + "mapped.png");
+  succeed("render --quiet light.glb --set normal_scale=0" + size + "bare.png");
   EXPECT_LT(flipOf("mapped.png"), 0.05);
   EXPECT_LT(flipOf("mapped.png"), flipOf("bare.png") / 3.0);
 }

@@ -26,9 +26,9 @@ namespace mirrorball::testing {
 namespace {
 
 constexpr double kMoreInstructions = 1.15;
-// Frames and the yardstick read memory differently, so that their ratio changes with the processor and its neighbours: on
-// one machine the small showcase took 1.24 to 1.40 times what is recorded, while programs before and after the change
-// took the same time in turns.
+// Frames and the yardstick read memory differently, so that their ratio changes with the processor and its neighbours:
+// on one machine the small showcase took 1.24 to 1.40 times what is recorded, while programs before and after the
+// change took the same time in turns.
 constexpr double kMoreTime = 1.6;
 
 std::string tablePath() { return std::string(MIRRORBALL_SOURCE_DIR) + "/tests/frame_cost/costs.txt"; }

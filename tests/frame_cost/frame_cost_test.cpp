@@ -26,10 +26,7 @@ namespace mirrorball::testing {
 namespace {
 
 constexpr double kMoreInstructions = 1.15;
-// Frames and the yardstick read memory differently, so that their ratio changes with the processor and its neighbours:
-// on one machine the small showcase took 1.24 to 1.40 times what is recorded, while programs before and after the
-// change took the same time in turns.
-constexpr double kMoreTime = 1.6;
+constexpr double kMoreTime = 1.3;
 
 std::string tablePath() { return std::string(MIRRORBALL_SOURCE_DIR) + "/tests/frame_cost/costs.txt"; }
 
@@ -82,6 +79,12 @@ FrameCost measured(Renderer& renderer, const FrameSettings& settings, Yardstick&
   return cost;
 }
 
+/// Whether it takes more processor time than it may, where that is what is compared.
+bool takesLonger(const FrameCost& now, const FrameCost& before) {
+  const bool compares_time = !now.instructions || !before.instructions;
+  return compares_time && now.yardsticks && before.yardsticks && *now.yardsticks > kMoreTime * *before.yardsticks;
+}
+
 void expectNoDearer(const std::string& name, const FrameCost& now, const FrameCost& before) {
   if (now.instructions && before.instructions) {
     std::printf("%s: %.0f million instructions, %.0f before\n", name.c_str(), *now.instructions, *before.instructions);
@@ -114,6 +117,9 @@ TEST_F(FrameCostTest, IsNotMoreThanBefore) {
     if (updates) continue;
     const auto row = before->frames.find(name);
     ASSERT_NE(row, before->frames.end()) << name << " is not in costs.txt";
+    // A neighbour of the machine may fill its caches for a while: what costs more does so each time.
+    for (int again = 0; again < 2 && takesLonger(now.frames[name], row->second); ++again)
+      now.frames[name] = measured(*renderer, settings, *yardstick);
     expectNoDearer(name, now.frames[name], row->second);
   }
   if (!updates) return;

@@ -7,6 +7,7 @@
 
 #include "formula/projection.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball {
 namespace {
@@ -38,11 +39,13 @@ EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
   assert(extent_ == imageSize(projection, size()));
   for ([[maybe_unused]] int index = 0; index < faces(); ++index)
     assert(face(index).width() == extent_.x && face(index).height() == extent_.y);
+  if (projection_ == Projection::equirect) row_bends_ = panoramaRowBends(extent_.y);
 }
 
 EnvironmentMap EnvironmentMap::windowOfPanorama(int height, int channels, int capacity) {
   EnvironmentMap map;
   map.extent_ = imageSize(Projection::equirect, height);
+  map.row_bends_ = panoramaRowBends(height);
   map.images_ = ImageSet(Image::withoutValues(map.extent_.x, capacity, channels));
   return map;
 }
@@ -77,6 +80,15 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   return interpolated(direction, interpolation).radiance;
 }
 
+/// Where bilinear interpolation looks up a position, for each row of a panorama to keep its light.
+glm::vec2 EnvironmentMap::keepingLightOfRows(glm::vec2 position) const {
+  const float rows = position.y + 0.5f;  // from the centre of the row before the first
+  if (row_bends_.empty() || !(rows >= 0.0f && rows < static_cast<float>(row_bends_.size()))) return position;
+  const float border = std::floor(rows);
+  const float t = rows - border;
+  return {position.x, position.y + row_bends_[static_cast<std::size_t>(border)] * t * (1.0f - t)};
+}
+
 /// Bilinear, where all four texels are the image's own. What a half of a sphere does not show lies at its edge, and so
 /// never there.
 std::optional<glm::vec3> EnvironmentMap::insideImage(int face_index, glm::vec2 position) const {
@@ -85,7 +97,8 @@ std::optional<glm::vec3> EnvironmentMap::insideImage(int face_index, glm::vec2 p
                          position.y >= static_cast<float>(rows_.begin) + 0.5f && position.y < last.y;
   if (!is_inside) return std::nullopt;
   const Image& image = face(face_index);
-  return glm::vec3(bilinear(position, [&](int x, int y) { return glm::vec4(rgbAt(image, x, y - rows_.begin), 1.0f); }));
+  return glm::vec3(bilinear(keepingLightOfRows(position),
+                            [&](int x, int y) { return glm::vec4(rgbAt(image, x, y - rows_.begin), 1.0f); }));
 }
 
 EnvironmentMap::Interpolated EnvironmentMap::interpolated(glm::vec3 direction, Interpolation interpolation) const {
@@ -109,6 +122,7 @@ EnvironmentMap::Interpolated EnvironmentMap::betweenTexels(int face_index, glm::
     if (texel.w > 0.0f) include(all, glm::vec3(texel));
     return texel;
   };
+  if (interpolation == Interpolation::bilinear) position = keepingLightOfRows(position);
   glm::vec4 light = interpolate(interpolation, position, fetch_texel);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
   while (light.w == 0.0f) {

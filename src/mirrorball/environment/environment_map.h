@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -55,6 +57,9 @@ class EnvironmentMap {
   /// A face's side, a disc's diameter, a square's side, a panorama's height.
   int size() const { return extent_.y; }
 
+  /// panoramaRowBends of its height; empty unless it is a panorama.
+  std::span<const float> rowBends() const { return row_bends_; }
+
   /// The size of each whole image, in texels.
   glm::ivec2 extent() const { return extent_; }
 
@@ -71,6 +76,7 @@ class EnvironmentMap {
   Interpolated interpolated(glm::vec3 direction, Interpolation interpolation) const;
 
  private:
+  glm::vec2 keepingLightOfRows(glm::vec2 position) const;
   std::optional<glm::vec3> insideImage(int face, glm::vec2 position) const;
   glm::vec4 fetch(int face, int x, int y) const;
   glm::vec4 fetchEquirect(int x, int y) const;
@@ -86,6 +92,7 @@ class EnvironmentMap {
   bool has_disc_ = false;
   glm::ivec2 extent_{0};
   RowRange rows_;
+  std::vector<float> row_bends_;
   ImageSet images_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <hwy/cache_control.h>
 
@@ -36,6 +37,7 @@ struct MapTexels {
   int height;
   RowRange rows;  ///< in memory
   int channels;
+  std::span<const float> row_bends;  ///< of a panorama
   bool is_disc;
   bool is_half;   ///< no light comes from behind
   bool is_whole;  ///< its images have neither a disc nor folds
@@ -45,6 +47,7 @@ struct MapTexels {
         height(map.extent().y),
         rows(map.rows()),
         channels(map.face(0).channels()),
+        row_bends(map.rowBends()),
         is_disc(hasDisc(map.projection())),
         is_half(map.projection() == Projection::hemioctahedral),
         is_whole(!is_disc && !is_half && map.projection() != Projection::octahedral &&
@@ -61,6 +64,15 @@ struct MapTexels {
   Inside inside(Reach reach) const {
     // One column more, since four floats of three channels reach into the next texel.
     return {{-reach.first, rows.begin - reach.first}, {width - reach.last - 2, rows.end - reach.last - 1}};
+  }
+
+  /// EnvironmentMap::keepingLightOfRows.
+  ///
+  /// y   the texel left above
+  /// t   from its centre to those of the next
+  glm::vec2 keepingLightOfRows(int y, glm::vec2 t) const {
+    if (row_bends.empty()) return t;
+    return {t.x, t.y + row_bends[static_cast<std::size_t>(y + 1)] * t.y * (1.0f - t.y)};
   }
 
   /// Whether none of the texels lies beside a disc, and those for a cubic lie in one smooth region.
@@ -351,7 +363,7 @@ void sampleInside(const MapTexels& map, Interpolation interpolation, const Point
     if (interpolation == Interpolation::bicubic)
       bicubic_inside.add(cornerOf(i), t, i);
     else
-      bilinearInside(cornerOf(i), channels, row, t, light[i]);
+      bilinearInside(cornerOf(i), channels, row, map.keepingLightOfRows(cells.y[i], t), light[i]);
   }
   bicubic_inside.finish(light);
 }

@@ -147,6 +147,14 @@ float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel) 
   return static_cast<float>(solidAngle(projection, {low, high}));
 }
 
+std::vector<float> panoramaRowBends(int height) {
+  std::vector<float> bends(static_cast<std::size_t>(height) + 1, 0.0f);
+  const double row = kPi / height;
+  for (int border = 1; border < height; ++border)
+    bends[static_cast<std::size_t>(border)] = static_cast<float>(row / (4.0 * std::tan(row * border)));
+  return bends;
+}
+
 float texelDensity(Projection projection, int size) {
   const auto texels = static_cast<float>(size);
   switch (projection) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball {
@@ -10,6 +12,17 @@ namespace mirrorball {
 ///
 /// cost     up to 0.3 µs, in double: a texel's is a small difference of large angles
 float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel);
+
+/// How bilinear interpolation between two rows of a panorama keeps the light of both: at t in [0, 1] from the centre of
+/// row k − 1 to that of row k it takes the weights of t + b t (1 − t), with b = element k.
+///
+/// Rows get shorter towards a pole, so the plain weights give the row nearer to it more solid angle than its texels
+/// have: a bright first row of a panorama gains 8 %. With x the distance from the border at the polar angle θ and s the
+/// height of a row, the integral of (b/4 − b x²/s² ) (sin θ + x cos θ) over a row makes up for it where b = s cot θ / 4,
+/// to the second order in s.
+///
+/// returns  height + 1 elements from −¼ to ¼; 0 at both poles, across which a row meets itself
+std::vector<float> panoramaRowBends(int height);
 
 /// formula::cubeCornerSolidAngle in double: the solid angle between a cube face's centre and the point (x, y) of its
 /// plane, both in [−1, 1]. In float the difference of four leaves texels of a 1024² face with errors of up to 15 %.

@@ -34,7 +34,7 @@ Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t
     return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
   for (const std::string& change : changes) remark(input + ": " + change);
   const float zero = findNormalZero(texture.image);
-  if (zero == 128.0f) remark(input + ": most texels are 128 128 255, which is taken as flat");
+  if (zero == 128.0f) remark(input + ": the most frequent texel is 128 128 255, which is taken as flat");
   return decodedNormals(texture.image, zero);
 }
 

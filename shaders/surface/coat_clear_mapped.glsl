@@ -2,7 +2,6 @@
 #include "tangent.glsl"
 vec3 coatNormal(SurfacePoint point) {
   vec3 mapped = decodedNormal(clearcoat_normal_map_at(point).xyz, clearcoat_normal_zero());
-  if (dot(mapped, mapped) < 1e-12) return point.normal;  // a texel without a direction
   return mappedNormal(point.tangent, point.normal, mapped, material.clearcoat_normal_scale);
 }
 float hiddenInCoat(SurfacePoint point) {

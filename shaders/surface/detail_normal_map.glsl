@@ -3,7 +3,6 @@
 
 vec3 detailedNormal(SurfacePoint point, vec3 n) {
   vec3 mapped = decodedNormal(normal_map_at(point).xyz, normal_zero());
-  if (dot(mapped, mapped) < 1e-12) return n;  // a texel without a direction
   return mappedNormal(point.tangent, n, mapped, material.normal_scale);
 }
 

@@ -144,6 +144,8 @@ TEST(Tangent, AFlatNormalMapLeavesTheNormal) {
   EXPECT_EQ(n, vec3(0, 0, 1));
   const vec3 bent = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 0, 0), 1.0f);
   EXPECT_NEAR(bent.x, 1.0f, 1e-6f) << "red points along the tangent";
+  EXPECT_EQ(normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(0.0f), 1.0f), vec3(0, 0, 1))
+      << "a texel without a direction";
 }
 
 // glTF's rule, that of programs which write 128 for 0, and signed numbers: each has its 0, and all the same 1.

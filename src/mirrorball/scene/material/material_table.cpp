@@ -294,8 +294,8 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .minimum = 0,
        .maximum = 128,
        .help = "what stands for 0 in the normal map, of a greatest code of 255: 127.5 by glTF's rule; 128, which is "
-               "found where most texels are (128, 128, 255); 0, which is found where floats are signed. Set it after "
-               "the map"},
+               "found where the most frequent texel is (128, 128, 255); 0, which is found where floats are signed. Set "
+               "it after the map"},
       &Material::normal_zero}},
     {{{.name = "normal_space",
        .choices = "tangent|object",

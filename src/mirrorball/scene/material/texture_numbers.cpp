@@ -176,10 +176,10 @@ void findNormalZeros(Scene& scene, const std::string& name, const MaterialMap* o
   const auto count =
       std::count_if(zeros.begin(), zeros.end(), [](const auto& each) { return each.second == kNeutralCode; });
   if (count == 0) return;
-  const std::string maps = count == 1 ? "a normal map has" : std::to_string(count) + " normal maps have";
-  scene.warnings.push_back(name + ": " + maps +
-                           " most texels at 128 128 255, which is taken as flat; by glTF's rule it leans by 0.3 "
-                           "degrees (normal_zero=127.5)");
+  const std::string of_maps = count == 1 ? "a normal map" : std::to_string(count) + " normal maps";
+  scene.warnings.push_back(name + ": the most frequent texel of " + of_maps +
+                           " is 128 128 255, which is taken as flat; glTF's rule would tilt it by 0.3 degrees "
+                           "(normal_zero=127.5)");
 }
 
 }  // namespace mirrorball

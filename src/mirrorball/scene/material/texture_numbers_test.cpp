@@ -97,7 +97,8 @@ TEST(NormalZero, OfASceneIsFoundForEachMapAndToldOnce) {
   EXPECT_EQ(scene.materials[0].clearcoat_normal_zero, 127.5f);
   EXPECT_EQ(scene.materials[1].clearcoat_normal_zero, 128.0f);
   EXPECT_EQ(scene.materials[2].normal_zero, 0.0f);
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("ball.glb: a normal map has most texels at 128 128 255")));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("ball.glb: the most frequent texel of a normal map is 128 128 255")));
 }
 
 TEST(TextureNumbers, CodesStayAndFloatsAreLinear) {

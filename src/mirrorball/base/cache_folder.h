@@ -31,8 +31,8 @@ struct CachedContent {
 /// It is only a convenience: what cannot be read or written is made again. Each file ends with a seal, which holds its
 /// kind, its key and a checksum of its content: what is damaged, cut or under another's name is not found.
 ///
-/// Names of files can be foretold, so that a folder is only used if it is the user's own and nobody else may write
-/// there; one that is made is 0700. No link in it is followed.
+/// The names of its files are predictable, so that a folder is only used if it is the user's own and nobody else may
+/// write there; a new one gets the mode 0700. No link in it is followed.
 class CacheFolder {
  public:
   static constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;

@@ -106,7 +106,7 @@ TEST_F(CacheFolderTest, AnotherUsersFolderIsNotUsed) {
   EXPECT_NE(cache.check().error().message.find("another user's"), std::string::npos);
 }
 
-// The names can be foretold.
+// The names are predictable.
 TEST_F(CacheFolderTest, LinksAndPipesOfANameAreReplaced) {
   const CacheFolder cache(folder_);
   keep(cache, keyOf(1), CachedKind::occlusion, 10);

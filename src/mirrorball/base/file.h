@@ -66,7 +66,7 @@ class FileReader {
 /// kept in a file without a name, and commit() writes them into it. Links::refuse replaces all of them.
 class FileWriter {
  public:
-  /// errors   io (no such folder, no permission; a link or a pipe that another user put into a folder of everybody's)
+  /// errors   io (no such folder, no permission; a link or a pipe of another user in a world-writable folder)
   /// cost     that of listing the folder; of a pipe, until somebody reads it
   static Result<FileWriter> create(const std::filesystem::path& path, Links links = Links::follow);
 
@@ -104,8 +104,8 @@ class FileWriter {
 
 /// What a name stands for: of a symbolic link, what it leads to, be it there or not.
 ///
-/// errors   io (links in a circle; a link that another user put into a folder of everybody's, as /tmp is); without the
-///          file's name
+/// errors   io (links in a circle; a link of another user in a world-writable folder, as /tmp is); without the file's
+///          name
 Result<std::filesystem::path> withoutLinks(std::filesystem::path path);
 
 /// Writes a whole file with a FileWriter.

@@ -118,10 +118,10 @@ TEST_F(FileTest, ALongNameIsWritten) {
 }
 
 #if GTEST_IS_THREADSAFE  // a browser has neither threads nor pipes nor other users
-// Where everybody may put things, nobody else decides where our bytes go.
-TEST_F(FileTest, ALinkOfAnotherUserInAFolderOfEverybodysIsRefused) {
+// Nobody else decides where our bytes go.
+TEST_F(FileTest, ALinkOfAnotherUserInAWorldWritableFolderIsRefused) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can make links of others";
-  const fs::path folder = folder_ / "everybodys", victim = folder_ / "victim", link = folder / "out.txt";
+  const fs::path folder = folder_ / "world_writable", victim = folder_ / "victim", link = folder / "out.txt";
   fs::create_directories(folder);
   ASSERT_EQ(::chown(folder.c_str(), 12346, 12346), 0);
   fs::permissions(folder, fs::perms::all | fs::perms::sticky_bit);

@@ -42,11 +42,11 @@ struct Context::State {
 };
 
 Result<Context> Context::createHeadless(Api api) {
-  // Where addresses end, Mesa's compilers free what they have not got, and the process ends.
+  // Mesa 22.3 crashes where an allocation fails while it compiles a shader (a double free in its software driver).
   constexpr std::uint64_t kOfDriver = std::uint64_t{1} << 30;
   if (addressSpaceLeft() < kOfDriver)
-    return fail(ErrorCode::too_large, "an OpenGL driver needs " + textOfBytes(kOfDriver) +
-                                          " of addresses, which `ulimit -v` does not leave; raise that");
+    return fail(ErrorCode::too_large,
+                "an OpenGL driver needs " + textOfBytes(kOfDriver) + " of address space; raise `ulimit -v`");
   MIRRORBALL_TRY(made, makeHeadlessContext(api));
   enableExtensions();
   setOurState(api);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "formula/bsdf.h"
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/rays/surface_point.h"
 
@@ -24,13 +24,6 @@ constexpr float kStep = 1e-6f;
 
 /// How many such surfaces are passed.
 constexpr int kMostPassed = 32;
-
-/// A direction about +Z, as likely as its cosine: over a point of the disc (Malley).
-glm::vec3 cosineDirection(glm::vec2 u) {
-  const float r = std::sqrt(u.x);
-  const float angle = 2.0f * std::numbers::pi_v<float> * u.y;
-  return {r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0f, 1.0f - u.x))};
-}
 
 }  // namespace
 
@@ -75,7 +68,7 @@ VisibleSky DenseModel::skyAt(const DensePlace& place, SampleSequence samples, in
   int free = 0;
   glm::vec3 sum(0.0f);
   for (int i = 0; i < rays; ++i) {
-    const glm::vec3 direction = frame.toWorld(cosineDirection(samples.next()));
+    const glm::vec3 direction = frame.toWorld(formula::sampleDiffuse(samples.next()));
     if (glm::dot(direction, place.geometric_normal) <= 0.0f || geometry_.hit(origin, direction, 0.0f)) continue;
     ++free;
     sum += direction;

@@ -1,9 +1,10 @@
 #include "mirrorball/render/light/ground_light.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "formula/bsdf.h"
 #include "formula/prefilter.h"
+#include "formula/proxy.h"
 
 namespace mirrorball {
 namespace {
@@ -20,17 +21,6 @@ std::optional<GroundLight> groundLightAt(const Environment& environment, const L
   return GroundLight{direction, environment.radiance(light.direction) * (direction.y / light.pdf)};
 }
 
-namespace {
-
-/// A direction of the upper half, chosen as often as it lights a level ground under an even sky: Malley's method
-/// (Pharr, Jakob & Humphreys 2023, "Physically Based Rendering", A.5.3).
-glm::vec3 cosineDirection(glm::vec2 u) {
-  const float radius = std::sqrt(u.x), angle = formula::kTwoPi * u.y;
-  return {radius * std::cos(angle), std::sqrt(std::max(1.0f - u.x, 0.0f)), radius * std::sin(angle)};
-}
-
-}  // namespace
-
 GroundLights groundLights(const Environment& environment, const LightSampler& sampler,
                           const glm::mat3& environment_from_world, int count) {
   const glm::mat3 world_from_environment = glm::transpose(environment_from_world);
@@ -40,8 +30,8 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
   for (int i = 0; i < tried && int(ground.lights.size()) < count; ++i) {
     last = i + 1;
     const glm::vec2 u = formula::evenPoint(glm::vec2(0.5f), float(i / 2));
-    const glm::vec3 direction =
-        i % 2 == 0 ? glm::normalize(world_from_environment * sampler.sample(u).direction) : cosineDirection(u);
+    const glm::vec3 direction = i % 2 == 0 ? glm::normalize(world_from_environment * sampler.sample(u).direction)
+                                           : formula::aboveGround(formula::sampleDiffuse(u));
     if (direction.y < kLeastHeight) continue;
     // Weighed by both ways to choose it (Veach & Guibas 1995, "Optimally combining sampling techniques for Monte Carlo
     // rendering", the balance heuristic).

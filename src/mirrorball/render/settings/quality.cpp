@@ -23,15 +23,12 @@ bool mirrorsWithoutRays(const SceneTraits& traits) {
 
 bool hasStrongSun(const SceneTraits& traits) { return traits.has_strong_sun; }
 
-/// The classic techniques, at other values than those of a program that leaves them alone: they reflect the environment
-/// alone, and show triangles as they are, which cannot be cut.
+/// The classic techniques: they reflect the environment alone, and show triangles as they are, which cannot be cut.
 constexpr auto kClassicTechniques =
     std::to_array<std::string_view>({"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur"});
 /// They say themselves what surfaces show in place of what is reflected.
-constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
-    {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
-constexpr auto kOccludesOtherwise = std::to_array<std::string_view>(
-    {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "self-reflection", "probes"});
+constexpr auto kShowsOtherwise = std::to_array<std::string_view>({"occlusion", "self-reflection", "probes"});
+constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes"});
 /// How light is followed where not all of it is.
 constexpr auto kRefractsOtherwise = std::to_array<std::string_view>({"refraction"});
 
@@ -40,10 +37,26 @@ constexpr auto kChoices = std::to_array<QualityChoice>({
     {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},
     {.option = "inner-bounces", .values = {"", "", "8"}, .suits = letsLightThrough, .left_to = kRefractsOtherwise},
     {.option = "behind", .values = {"", "screen", "screen"}, .suits = letsLightThrough},
-    {.option = "occlusion", .values = {"", "vertex", "vertex"}, .suits = hidesItself, .left_to = kOccludesOtherwise},
-    {.option = "self-reflection", .values = {"", "yes", "yes"}, .suits = mirrorsItself, .left_to = kShowsOtherwise},
-    {.option = "probes", .values = {"", "auto", "auto"}, .suits = mirrorsWithoutRays, .left_to = kShowsOtherwise},
-    {.option = "probe-bounces", .values = {"", "", "4"}, .suits = mirrorsWithoutRays, .left_to = kShowsOtherwise},
+    {.option = "occlusion",
+     .values = {"", "vertex", "vertex"},
+     .suits = hidesItself,
+     .left_to = kOccludesOtherwise,
+     .is_left_to_classics = true},
+    {.option = "self-reflection",
+     .values = {"", "yes", "yes"},
+     .suits = mirrorsItself,
+     .left_to = kShowsOtherwise,
+     .is_left_to_classics = true},
+    {.option = "probes",
+     .values = {"", "auto", "auto"},
+     .suits = mirrorsWithoutRays,
+     .left_to = kShowsOtherwise,
+     .is_left_to_classics = true},
+    {.option = "probe-bounces",
+     .values = {"", "", "4"},
+     .suits = mirrorsWithoutRays,
+     .left_to = kShowsOtherwise,
+     .is_left_to_classics = true},
     {.option = "samples", .values = {"", "", "16"}, .suits = always},
 });
 
@@ -124,6 +137,7 @@ std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<st
     const std::string_view value = choice.values[static_cast<std::size_t>(quality)];
     if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, saying))
       continue;
+    if (choice.is_left_to_classics && isAnyGiven(kClassicTechniques, saying)) continue;
     if (choice.option == "probe-bounces" && settings.probes == 0) continue;
     if (choice.option == "sun" && !settings.canSplitSuns()) continue;
     const auto option = findBy(frameOptions(), choice.option, [](const auto& each) { return each.text.name; });

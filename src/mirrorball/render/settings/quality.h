@@ -44,6 +44,7 @@ struct QualityChoice {
   bool (*suits)(const SceneTraits&);       ///< whether the scene needs it
   /// Options with which someone asks for a technique that this one would hide, or says already what this one says.
   std::span<const std::string_view> left_to = {};
+  bool is_left_to_classics = false;  ///< and to a classic technique, which reflects the environment alone
 };
 
 /// All of them, in the order in which they are told.

@@ -84,6 +84,16 @@ Result<PartFile> makePart(const fs::path& folder) {
   return fail(ErrorCode::io, std::strerror(EBUSY));
 }
 
+Result<PartFile> makeUnnamedPart(const fs::path& folder) {
+  constexpr mode_t kOwnerOnly = 0600;
+  PartFile part;
+  part.file = Descriptor(::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, kOwnerOnly));
+  if (part.file.isOpen()) return part;
+  MIRRORBALL_TRY(named, makePart(folder));
+  named.path.remove();  // what is open can still be written and read
+  return std::move(named);
+}
+
 bool isPartName(const fs::path& path) {
   const std::string name = path.string();
   const auto isDigit = [](char letter) { return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f'); };

@@ -28,6 +28,12 @@ struct PartFile {
 /// cost     that of listing the folder
 Result<PartFile> makePart(const std::filesystem::path& folder);
 
+/// Makes a part without a name, which the kernel removes however the process ends. Where the file system cannot make
+/// such files it has a name for a moment.
+///
+/// errors   as makePart's
+Result<PartFile> makeUnnamedPart(const std::filesystem::path& folder);
+
 /// Whether a file's name is that of a part.
 bool isPartName(const std::filesystem::path& name);
 

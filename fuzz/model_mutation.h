@@ -14,6 +14,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "chance.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
@@ -22,9 +23,6 @@
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball::fuzz {
-
-/// From 0 on, below `end`; the same for every standard library, as its distributions are not.
-inline std::size_t below(std::size_t end, std::mt19937& random) { return random() % end; }
 
 /// A small texture of any texels.
 inline Texture anyTexture(bool is_srgb, std::mt19937& random) {

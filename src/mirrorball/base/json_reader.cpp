@@ -33,15 +33,13 @@ JsonReader JsonReader::at(std::string_view path) const {
   return member;
 }
 
-std::vector<JsonReader> JsonReader::elements() const {
-  std::vector<JsonReader> elements;
-  if (value_ == nullptr) return elements;
-  if (!value_->is_array())
-    refuse("is no array");
-  else
-    for (const nlohmann::json& element : *value_)
-      elements.emplace_back(&element, key_ + "[" + std::to_string(elements.size()) + "]", *problem_);
-  return elements;
+JsonReader::Elements JsonReader::elements() const {
+  if (value_ != nullptr && !value_->is_array()) refuse("is no array");
+  return {*this, isArray() ? value_->size() : 0};
+}
+
+JsonReader JsonReader::Elements::operator[](std::size_t index) const {
+  return {&(*array_.value_)[index], array_.key_ + "[" + std::to_string(index) + "]", *array_.problem_};
 }
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
@@ -64,7 +62,7 @@ double JsonReader::number(double otherwise) const {
 
 std::vector<double> JsonReader::numbers(std::vector<double> otherwise) const {
   if (value_ == nullptr) return otherwise;
-  const std::vector<JsonReader> given = elements();
+  const Elements given = elements();
   if (given.size() != otherwise.size())
     refuse("has not " + std::to_string(otherwise.size()) + " numbers");
   else

@@ -34,8 +34,9 @@ class JsonReader {
   /// The member that "a.b.c" leads to.
   JsonReader at(std::string_view path) const;
 
-  /// The elements of an array; none where it is absent.
-  std::vector<JsonReader> elements() const;
+  /// The elements of an array, made as they are asked for; none where it is absent.
+  class Elements;
+  Elements elements() const;
 
   /// The members of an object with their names.
   std::vector<std::pair<std::string, JsonReader>> members() const;
@@ -66,6 +67,32 @@ class JsonReader {
   const nlohmann::json* value_;
   std::string key_;
   JsonProblem* problem_;
+};
+
+class JsonReader::Elements {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Elements& elements, std::size_t index) : elements_(&elements), index_(index) {}
+    JsonReader operator*() const { return (*elements_)[index_]; }
+    Iterator& operator++() { return ++index_, *this; }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+   private:
+    const Elements* elements_;
+    std::size_t index_;
+  };
+
+  Elements(JsonReader array, std::size_t size) : array_(std::move(array)), size_(size) {}
+
+  std::size_t size() const { return size_; }
+  JsonReader operator[](std::size_t index) const;
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size_}; }
+
+ private:
+  JsonReader array_;
+  std::size_t size_;  // 0 of what is not an array
 };
 
 }  // namespace mirrorball

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,8 +59,9 @@ class Poser {
 
   /// Moves the nodes, and with them cameras and lights, to a time of an animation.
   Result<void> moveTo(const Animation& animation, double seconds) {
-    nodes_ = rig_.nodes;
-    TargetValues values(scene_, nodes_);
+    moved_ = rig_.nodes;
+    nodes_ = moved_;
+    TargetValues values(scene_, moved_);
     std::vector<double> value;
     for (const AnimationChannel& channel : animation.channels) {
       const auto* const node = std::get_if<NodeTarget>(&channel.target);
@@ -115,8 +117,11 @@ class Poser {
     }
   }
 
-  /// Leaves the nodes where they are now.
-  void keepNodes() { rig_.nodes = std::move(nodes_); }
+  /// Leaves the nodes where moveTo() has brought them.
+  void keepNodes() {
+    rig_.nodes = std::move(moved_);
+    nodes_ = rig_.nodes;
+  }
 
  private:
   static tl::unexpected<Error> tooLarge() {
@@ -156,7 +161,8 @@ class Poser {
 
   Scene& scene_;
   Rig& rig_;
-  std::vector<RigNode> nodes_;                 // as they are at the time
+  std::vector<RigNode> moved_;                 // by an animation; none: the nodes are at rest
+  std::span<const RigNode> nodes_;             // as they are at the time
   std::vector<glm::dmat4> worlds_;             // of each node
   std::vector<std::vector<glm::mat4>> skins_;  // world_from_mesh of each joint
 };

@@ -96,7 +96,9 @@ class SceneBuilder {
     MIRRORBALL_TRY(listed, nodesOfScene(document_));
     for (std::size_t i = 0; i < listed.size(); ++i) places_[std::size_t(listed[i].node)] = static_cast<int>(i);
     const std::vector<bool> morphing = nodesWithAnimatedWeights(document_);
+    MIRRORBALL_TRY_VOID(takeNodes(listed));
     std::vector<glm::dmat4> worlds;
+    worlds.reserve(listed.size());
     std::vector<Placement> placements;
     for (const ListedNode& each : listed) {
       const Node& node = document_.nodes[std::size_t(each.node)];
@@ -116,6 +118,21 @@ class SceneBuilder {
       MIRRORBALL_TRY_VOID(addLight(node, worlds.back(), key));
     }
     return placements;
+  }
+
+  /// Asks for the memory of the rig's nodes, and of where each is in the world, before it is taken.
+  ///
+  /// errors   too_large
+  Result<void> takeNodes(const std::vector<ListedNode>& listed) {
+    constexpr std::size_t kInString = 15;  // letters that take no memory of their own
+    std::uint64_t bytes = listed.size() * (sizeof(RigNode) + sizeof(glm::dmat4) + sizeof(Placement));
+    for (const ListedNode& each : listed) {
+      const std::string& name = document_.nodes[std::size_t(each.node)].name;
+      if (name.size() > kInString) bytes += name.size() + 2 * sizeof(void*);
+    }
+    MIRRORBALL_TRY_VOID(withName(counted(listed.size(), "node"), file_.named.budget().take(bytes)));
+    scene_.rig.nodes.reserve(listed.size());
+    return {};
   }
 
   /// What the last node of the rig shows, which gets its weights.
@@ -234,6 +251,8 @@ class SceneBuilder {
         }
         has_other_targets = has_other_targets || (wanted.targets && hasOtherTargets(primitive));
         const std::size_t size = declaredSize(document_, primitive);
+        constexpr std::size_t kOfEach = sizeof(Job) + sizeof(Result<PrimitiveMesh>) + sizeof(Mesh) + sizeof(SceneMesh);
+        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(kOfEach + 2 * key.size())));
         MIRRORBALL_TRY_VOID(vertices_.take(size, key));
         MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(deformationSize(primitive, wanted, size))));
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
@@ -327,6 +346,7 @@ class SceneBuilder {
 Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                          const ModelLoadOptions& options) {
   ModelFiles named(path, options);
+  MIRRORBALL_TRY_VOID(named.budget().take(bytes.size()));
   MIRRORBALL_TRY(file, gltf::openFile(bytes, path, named));
   MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
   tellOfFiles(named, scene);

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
+#include "mirrorball/base/json_memory.h"
 #include "mirrorball/base/json_reader.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_camera.h"
@@ -186,10 +187,34 @@ std::string parseVariant(const JsonReader& json) { return printable(json["name"]
 
 std::vector<int> parseScene(const JsonReader& json) { return indicesOf(json["nodes"]); }
 
-template <typename Part>
-void parseAll(const JsonReader& array, Part (*parse)(const JsonReader&), std::vector<Part>& parts) {
-  for (const JsonReader& element : array.elements()) parts.push_back(parse(element));
-}
+/// Reads the lists of a document, and asks for the memory of each before it is taken.
+class PartReader {
+ public:
+  /// tree     bytes of the parsed JSON. What the parts have of lists and texts of their own takes no more than that,
+  ///          since each element and member of it is larger than what becomes of it
+  explicit PartReader(std::uint64_t tree) : tree_(tree), document_(tree) {}
+
+  template <typename Part>
+  void read(const JsonReader& array, Part (*parse)(const JsonReader&), std::vector<Part>& parts) {
+    const JsonReader::Elements elements = array.elements();
+    document_ += elements.size() * sizeof(Part);
+    if (memory_) memory_ = checkMemory(tree_ + document_);
+    if (!memory_) return;
+    parts.reserve(elements.size());
+    for (const JsonReader& element : elements) parts.push_back(parse(element));
+  }
+
+  /// Bytes of all that was read.
+  std::uint64_t bytes() const { return document_; }
+
+  /// errors   too_large
+  const Result<void>& memory() const { return memory_; }
+
+ private:
+  std::uint64_t tree_;
+  std::uint64_t document_;
+  Result<void> memory_;
+};
 
 Result<void> checkVersion(const JsonReader& root) {
   const std::string version = root["asset"].required()["version"].required().text("");
@@ -200,7 +225,10 @@ Result<void> checkVersion(const JsonReader& root) {
 
 }  // namespace
 
-Result<Document> parseDocument(std::string_view text) {
+Result<Document> parseDocument(std::string_view text, MemoryBudget& budget) {
+  MemoryShare share(budget);
+  const JsonMemory needed = jsonMemory(text);
+  MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing));
   nlohmann::json parsed;
   try {
     parsed = nlohmann::json::parse(text.begin(), text.end());
@@ -215,26 +243,29 @@ Result<Document> parseDocument(std::string_view text) {
   MIRRORBALL_TRY_VOID(checkVersion(root));
   MIRRORBALL_TRY(unread, unreadExtensions(root));
 
+  PartReader parts(needed.tree);
   Document document;
   document.unread_extensions = std::move(unread);
-  parseAll(root["accessors"], parseAccessor, document.accessors);
-  parseAll(root["bufferViews"], parseBufferView, document.buffer_views);
-  parseAll(root["buffers"], parseBuffer, document.buffers);
+  parts.read(root["accessors"], parseAccessor, document.accessors);
+  parts.read(root["bufferViews"], parseBufferView, document.buffer_views);
+  parts.read(root["buffers"], parseBuffer, document.buffers);
   markFallbacks(document);
-  parseAll(root["images"], parseImage, document.images);
-  parseAll(root["samplers"], parseSampler, document.samplers);
-  parseAll(root["textures"], parseTexture, document.textures);
-  parseAll(root["materials"], parseMaterial, document.materials);
-  parseAll(root["meshes"], parseMesh, document.meshes);
-  parseAll(root["cameras"], parseCamera, document.cameras);
-  parseAll(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
-  parseAll(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);
-  parseAll(root["nodes"], parseNode, document.nodes);
-  parseAll(root["skins"], parseSkin, document.skins);
-  parseAll(root["animations"], parseAnimation, document.animations);
-  parseAll(root["scenes"], parseScene, document.scenes);
+  parts.read(root["images"], parseImage, document.images);
+  parts.read(root["samplers"], parseSampler, document.samplers);
+  parts.read(root["textures"], parseTexture, document.textures);
+  parts.read(root["materials"], parseMaterial, document.materials);
+  parts.read(root["meshes"], parseMesh, document.meshes);
+  parts.read(root["cameras"], parseCamera, document.cameras);
+  parts.read(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
+  parts.read(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);
+  parts.read(root["nodes"], parseNode, document.nodes);
+  parts.read(root["skins"], parseSkin, document.skins);
+  parts.read(root["animations"], parseAnimation, document.animations);
+  parts.read(root["scenes"], parseScene, document.scenes);
   document.scene = root["scene"].index();
+  MIRRORBALL_TRY_VOID(parts.memory());
   if (problem.any()) return fail(ErrorCode::bad_file, problem.message);
+  MIRRORBALL_TRY_VOID(share.keep(parts.bytes()));
   return document;
 }
 

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/animation/rig.h"
 #include "mirrorball/scene/camera/model_camera.h"
@@ -176,7 +177,9 @@ struct Document {
 
 /// Reads a file's JSON.
 ///
-/// errors   bad_file (the byte or key is named); unsupported (the version, or an extension that the file requires)
-Result<Document> parseDocument(std::string_view json);
+/// budget   gets what the document takes, and while it is read the parsed JSON too: many times the text's bytes
+/// errors   bad_file (the byte or key is named); unsupported (the version, or an extension that the file requires);
+///          too_large
+Result<Document> parseDocument(std::string_view json, MemoryBudget& budget);
 
 }  // namespace mirrorball::gltf

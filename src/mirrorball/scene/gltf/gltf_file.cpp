@@ -119,6 +119,7 @@ Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& 
     MIRRORBALL_TRY(path, findFile(file, uri, key));
     return file.named.read(path);
   }
+  MIRRORBALL_TRY_VOID(withName(key, file.named.budget().take(uri.size() / 4 * 3)));
   MIRRORBALL_TRY(bytes, decodeData(uri, key));
   return std::span<const std::uint8_t>(file.storage.emplace_back(std::move(bytes)));
 }
@@ -185,7 +186,7 @@ Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem
   } else {
     container.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
-  MIRRORBALL_TRY(document, parseDocument(container.json));
+  MIRRORBALL_TRY(document, parseDocument(container.json, named.budget()));
   file.document = std::move(document);
   file.storage.reserve(file.document.buffers.size());
   MIRRORBALL_TRY_VOID(readBuffers(file, container.binary));

@@ -30,7 +30,7 @@ struct File {
 ///
 /// bytes    must live as long as the result, which points into them
 /// named    so must this
-/// errors   bad_file; unsupported; io
+/// errors   bad_file; unsupported; io; too_large
 Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, ModelFiles& named);
 
 /// Whether a uri has the bytes itself.

@@ -22,6 +22,7 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
       MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map, glossiness, own + std::string(map.gltf)));
     }
   }
+  MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(sizeof(Material))));
   scene_.materials.push_back(std::move(material));
   return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;
 }

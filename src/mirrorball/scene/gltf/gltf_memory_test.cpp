@@ -141,6 +141,68 @@ TEST_F(GltfMemory, PicturesThatAreChangedCountEachTime) {
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
 }
 
+/// A list of so many equal elements.
+std::string listOf(const std::string& element, int count) {
+  std::string list = "[" + element;
+  for (int i = 1; i < count; ++i) list += "," + element;
+  return list + "]";
+}
+
+/// A model of a triangle, with more members of its root.
+Result<Scene> readTriangle(const std::string& members) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const std::string json = maker.gltf(R"({"attributes":{"POSITION":0}})", members);
+  return decodeGltf(Bytes(json.begin(), json.end()), "model.gltf");
+}
+
+// Each takes much more memory than its text.
+TEST_F(GltfMemory, ManySmallPartsAreRefusedBeforeTheirMemoryIsTaken) {
+  for (const std::string& part :
+       {R"("extras":)" + listOf("{}", 100000), R"("extras":)" + listOf("[]", 100000),
+        R"("extras":)" + listOf("0", 400000), R"("materials":)" + listOf("{}", 20000),
+        R"("textures":)" + listOf("{}", 100000), R"("skins":)" + listOf(R"({"joints":[0]})", 50000),
+        R"("animations":)" + listOf(R"({"channels":[],"samplers":[]})", 50000)}) {
+    setMemoryLimit(8 * kMega);
+    const auto refused = readTriangle(part);
+    ASSERT_FALSE(refused) << part.substr(0, 50);
+    EXPECT_EQ(refused.error().code, ErrorCode::too_large) << part.substr(0, 50);
+    EXPECT_THAT(refused.error().message, HasSubstr("8 MB may be used")) << part.substr(0, 50);
+    setMemoryLimit(usual_);
+    EXPECT_TRUE(readTriangle(part)) << part.substr(0, 50);
+  }
+}
+
+TEST_F(GltfMemory, ManyNodesAreRefusedBeforeTheirMemoryIsTaken) {
+  constexpr int kNodes = 20000;
+  const std::string flat = R"("nodes":[{"mesh":0})" + ("," + listOf("{}", kNodes).substr(1));
+  std::string chain = R"("scenes":[{"nodes":[0,1]}],"scene":0,"nodes":[{"mesh":0})";
+  for (int i = 2; i < kNodes; ++i) chain += R"(,{"children":[)" + std::to_string(i) + "]}";
+  chain += ",{}]";
+  for (const std::string& nodes : {flat, chain}) {
+    setMemoryLimit(8 * kMega);
+    const auto refused = readTriangle(nodes);
+    ASSERT_FALSE(refused) << nodes.substr(0, 80);
+    EXPECT_EQ(refused.error().code, ErrorCode::too_large) << nodes.substr(0, 80);
+    setMemoryLimit(64 * kMega);
+    const auto read = readTriangle(nodes);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_GE(read->rig.nodes.size(), std::size_t(kNodes));
+  }
+}
+
+// The parser copies it, and it is decoded.
+TEST_F(GltfMemory, ABufferInTheJsonCountsWithItsCopies) {
+  const std::string image =
+      R"("images":[{"uri":"data:image/png;base64,)" + std::string(std::size_t{2} << 20, 'A') + R"("}])";
+  setMemoryLimit(8 * kMega);
+  const auto refused = readTriangle(image);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  setMemoryLimit(usual_);
+  EXPECT_TRUE(readTriangle(image));
+}
+
 // A file is asked for its size before it is read: this one has a hole of 3 GB, and takes no room on the disk.
 TEST_F(GltfMemory, AFileThatDoesNotFitIsNotRead) {
   write("a.png", 4);

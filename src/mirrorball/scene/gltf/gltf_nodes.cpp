@@ -7,19 +7,12 @@
 namespace mirrorball::gltf {
 namespace {
 
-/// A node that is still to be listed.
-struct Pending {
-  ListedNode node;
-  std::string key;  // what refers to it
-};
-
 /// The nodes of the default scene; of a file that names none, all that are nobody's child.
-Result<std::vector<Pending>> rootNodes(const Document& document) {
-  std::vector<Pending> roots;
+Result<std::vector<ListedNode>> rootNodes(const Document& document) {
+  std::vector<ListedNode> roots;
   if (const int scene = document.scene; scene != -1) {
     MIRRORBALL_TRY_VOID(checkIndex(scene, document.scenes.size(), "scene", "scene"));
-    for (const int node : document.scenes[std::size_t(scene)])
-      roots.push_back({{node, -1}, quoted("scenes", std::size_t(scene)) + ".nodes"});
+    for (const int node : document.scenes[std::size_t(scene)]) roots.push_back({node, -1});
     return roots;
   }
   std::vector<bool> is_child(document.nodes.size(), false);
@@ -27,8 +20,14 @@ Result<std::vector<Pending>> rootNodes(const Document& document) {
     for (const int child : node.children)
       if (child >= 0 && std::size_t(child) < is_child.size()) is_child[std::size_t(child)] = true;
   for (std::size_t i = 0; i < is_child.size(); ++i)
-    if (!is_child[i]) roots.push_back({{static_cast<int>(i), -1}, "nodes"});
+    if (!is_child[i]) roots.push_back({static_cast<int>(i), -1});
   return roots;
+}
+
+/// What refers to a node, for messages.
+std::string referrer(const Document& document, const std::vector<ListedNode>& listed, ListedNode node) {
+  if (node.parent >= 0) return quoted("nodes", std::size_t(listed[std::size_t(node.parent)].node)) + ".children";
+  return document.scene == -1 ? "nodes" : quoted("scenes", std::size_t(document.scene)) + ".nodes";
 }
 
 }  // namespace
@@ -40,19 +39,19 @@ Result<std::vector<ListedNode>> nodesOfScene(const Document& document) {
   // A stack of its own, so that a deep tree cannot overflow the program's; the last is the next.
   std::reverse(pending.begin(), pending.end());
   while (!pending.empty()) {
-    const Pending next = std::move(pending.back());
+    const ListedNode next = pending.back();
     pending.pop_back();
-    MIRRORBALL_TRY_VOID(checkIndex(next.node.node, document.nodes.size(), next.key, "node"));
-    const auto index = std::size_t(next.node.node);
-    const std::string key = quoted("nodes", index);
+    if (next.node < 0 || std::size_t(next.node) >= document.nodes.size())
+      return fail(checkIndex(next.node, document.nodes.size(), referrer(document, listed, next), "node"));
+    const auto index = std::size_t(next.node);
     if (visited[index])
-      return fail(ErrorCode::bad_file, key + " is reached twice; nodes must form a tree without cycles");
+      return fail(ErrorCode::bad_file,
+                  quoted("nodes", index) + " is reached twice; nodes must form a tree without cycles");
     visited[index] = true;
     const int place = static_cast<int>(listed.size());
-    listed.push_back(next.node);
+    listed.push_back(next);
     const std::vector<int>& children = document.nodes[index].children;
-    for (auto child = children.rbegin(); child != children.rend(); ++child)
-      pending.push_back({{*child, place}, key + ".children"});
+    for (auto child = children.rbegin(); child != children.rend(); ++child) pending.push_back({*child, place});
   }
   return listed;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <istream>
@@ -21,6 +22,7 @@
 #include "mirrorball/scene/mesh_file/obj_material.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
+#include "mirrorball/scene/mesh_file/text_scanner.h"
 #include "mirrorball/scene/tangents.h"
 
 namespace mirrorball {
@@ -200,6 +202,24 @@ std::optional<std::string> wordThatIsNoNumber(std::string_view text) {
   return {};
 }
 
+/// The memory that a file of these lines takes at most [bytes], until its meshes have normals and tangents.
+std::uint64_t memoryFor(std::string_view text) {
+  constexpr std::uint64_t kOfCorner = 300;  // measured with triangles that share nothing, whose normals are computed
+  constexpr std::uint64_t kOfElement = 2 * sizeof(glm::vec3);  // a position, normal or coordinate in a growing list
+  std::uint64_t bytes = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.starts_with('v')) bytes += kOfElement;
+    if (!line.starts_with('f')) continue;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if ((line[i - 1] == ' ' || line[i - 1] == '\t') && line[i] != ' ' && line[i] != '\t') bytes += kOfCorner;
+  }
+  return bytes;
+}
+
 /// Reads a .mtl beside the model.
 class MaterialReader : public tinyobj::MaterialReader {
  public:
@@ -216,6 +236,10 @@ class MaterialReader : public tinyobj::MaterialReader {
     }
     known->second = true;
     if (!tables_.insert(bytes->data()).second) return true;  // it was read by another name
+    // The parser keeps them in a growing list, of which the model gets a copy.
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    if (memory_) memory_ = named_.budget().take(occurrences(text, "newmtl") * 3 * sizeof(tinyobj::material_t));
+    if (!memory_) return false;
     ByteStream stream(*bytes);
     std::string warning;
     std::string problem;
@@ -223,9 +247,13 @@ class MaterialReader : public tinyobj::MaterialReader {
     return true;
   }
 
+  /// errors   too_large: a table was not read
+  const Result<void>& memory() const { return memory_; }
+
  private:
   ModelFiles& named_;
   Scene& scene_;
+  Result<void> memory_;
   std::map<std::string, bool> was_read_;  // of each name that there was
   std::set<const std::uint8_t*> tables_;  // where those lie that were read
 };
@@ -343,12 +371,14 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   ByteStream stream(bytes);
   Geometry geometry(stream);
   ModelFiles named(path, options);
+  MIRRORBALL_TRY_VOID(named.budget().take(bytes.size() + memoryFor(text)));
   MaterialReader reader(named, scene);
   try {
     tinyobj::LoadObjWithCallback(stream, callbacks(), &geometry, &reader);
   } catch (const std::exception& exception) {
     geometry.refuse(excerpt(exception.what()));
   }
+  MIRRORBALL_TRY_VOID(reader.memory());
   if (!geometry.problem.empty()) return fail(ErrorCode::bad_file, geometry.problem);
   MIRRORBALL_TRY_VOID(checkIndices(geometry));
   if (geometry.faces.empty())

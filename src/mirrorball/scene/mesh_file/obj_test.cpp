@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
@@ -249,6 +250,20 @@ TEST(Obj, NamesWhatIsWrong) {
   expectObjRefused(triangle + "# nan\r\nvn 0 -inf 1 # up\r\n", "line 6: '-inf' is no number");
   expectObjRefused(triangle + "  vt\t0,5 1\n", "line 5: '0,5' is no number");
   EXPECT_TRUE(decodeObjText("v 0 0 0 # nan\nv +1.5e-3 0 0\nv 0 1E2 0\nvx nan\nf 1 2 3\n"));
+}
+
+TEST(Obj, MemoryIsAskedForBeforeItIsTaken) {
+  const std::uint64_t before = memoryLimit();
+  setMemoryLimit(std::uint64_t{1} << 20);
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 2000; ++i) text += "  f 1\t2  3\r\n";
+  const Result<Scene> refused = decodeObjText(text);
+  const Result<Scene> smaller = decodeObjText(text.substr(0, text.size() / 4));
+  setMemoryLimit(before);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_TRUE(smaller) << smaller.error().message;
+  EXPECT_TRUE(decodeObjText(text));
 }
 
 TEST(Obj, SurvivesRandomDamage) {

@@ -271,7 +271,8 @@ class PlyDecoder {
   Result<Mesh> decode() {
     for (const Element& element : header_.elements) {
       MIRRORBALL_TRY_VOID(checkSize(element));
-      MIRRORBALL_TRY_VOID(checkMemory(memoryOf(element)));
+      memory_ += memoryOf(element);
+      MIRRORBALL_TRY_VOID(checkMemory(memory_));
       MIRRORBALL_TRY_VOID(element.name == "vertex" ? readVertices(element) : readLists(element));
     }
     for (const std::uint32_t index : mesh_.indices)
@@ -286,15 +287,15 @@ class PlyDecoder {
   }
 
  private:
+  static constexpr std::size_t kOfCorner = 100;  // bytes, measured with triangles whose normals are computed
+
   tl::unexpected<Error> wrong(const std::string& what) const {
     return fail(ErrorCode::bad_file, reader_.place() + ": " + what);
   }
 
-  /// What an element takes at least: a face is a triangle or more.
+  /// What an element takes at least, until the mesh has normals and tangents: a face is a triangle or more.
   static std::uint64_t memoryOf(const Element& element) {
-    const std::size_t each = element.name == "vertex" ? sizeof(Vertex)
-                             : element.name == "face" ? 3 * sizeof(std::uint32_t)
-                                                      : 0;
+    const std::size_t each = element.name == "vertex" ? sizeof(Vertex) : element.name == "face" ? 3 * kOfCorner : 0;
     return element.count * std::uint64_t{each};
   }
 
@@ -459,6 +460,7 @@ class PlyDecoder {
   }
 
   const Header& header_;
+  std::uint64_t memory_ = 0;  // of the elements that were read [bytes]
   ValueReader reader_;
   Mesh mesh_;
   std::vector<double> list_;

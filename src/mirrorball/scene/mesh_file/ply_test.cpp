@@ -190,6 +190,14 @@ TEST(Ply, MemoryIsAskedForBeforeItIsTaken) {
   EXPECT_TRUE(decodePlyText(binaryPlySquare(std::endian::little)));
 }
 
+// Either would fit.
+TEST(Ply, VerticesAndFacesAreRefusedIfTheyAreTooLargeTogether) {
+  const std::uint64_t before = memoryLimit();
+  setMemoryLimit(4 * sizeof(Vertex) + 200);
+  expectPlyRefused(binaryPlySquare(std::endian::little), ErrorCode::too_large, "of memory");
+  setMemoryLimit(before);
+}
+
 TEST(Ply, WhatTheHeaderSaysIsQuoted) {
   const std::string name = "\x1b[2J\x9b" + std::string(100'000, 'x');
   const std::string ascii = "format ascii 1.0\n", end = "\nend_header\n";

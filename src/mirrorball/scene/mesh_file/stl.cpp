@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
 #include "mirrorball/scene/tangents.h"
@@ -58,6 +59,14 @@ Result<Mesh> decodeBinary(std::span<const std::uint8_t> bytes) {
                     glm::dvec3(numbers[6], numbers[7], numbers[8])});
   }
   return mesh;
+}
+
+/// Refuses more corners than fit into the memory with their tangents.
+///
+/// errors   too_large
+Result<void> checkCorners(std::uint64_t corners) {
+  constexpr std::uint64_t kOfCorner = 150;  // bytes, measured, in lists that grow
+  return checkMemory(corners * kOfCorner);
 }
 
 Result<Mesh> decodeAscii(std::string_view text) {
@@ -113,6 +122,7 @@ Result<Scene> decodeStl(std::span<const std::uint8_t> bytes) {
                                          std::to_string(binary_size) + " bytes, but it has " +
                                          std::to_string(bytes.size()) + "; it is truncated or no STL file");
   }
+  MIRRORBALL_TRY_VOID(checkCorners(is_binary ? std::uint64_t{3} * *count : occurrences(text, "vertex")));
   MIRRORBALL_TRY(mesh, is_binary ? decodeBinary(bytes) : decodeAscii(text));
   if (mesh.indices.empty()) return fail(ErrorCode::bad_file, "holds no facet with an area");
   computeTangents(mesh);

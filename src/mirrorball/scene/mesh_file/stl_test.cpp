@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 
 namespace mirrorball {
 namespace {
@@ -87,6 +88,18 @@ TEST(Stl, NamesWhatIsWrong) {
   expectStlRefused(stlBytes("solid\nfacet\nvertex 0 0 nan\n"), "line 3: a corner needs three finite numbers");
   expectStlRefused(stlBytes("solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nfacet\n"), "line 5: the facet before it");
   expectStlRefused(stlBytes("solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"), "endsolid");
+}
+
+TEST(Stl, MemoryIsAskedForBeforeItIsTaken) {
+  const std::uint64_t before = memoryLimit();
+  setMemoryLimit(3 * sizeof(Vertex));
+  for (const Bytes& bytes : {binaryStlSquare(), stlBytes(kAscii)}) {
+    const Result<Scene> refused = decodeStl(bytes);
+    EXPECT_FALSE(refused);
+    if (!refused) EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  }
+  setMemoryLimit(before);
+  EXPECT_TRUE(decodeStl(binaryStlSquare()));
 }
 
 TEST(Stl, IsRefusedWhenCutAnywhere) {

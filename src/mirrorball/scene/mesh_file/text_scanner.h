@@ -8,6 +8,13 @@
 
 namespace mirrorball {
 
+/// How often a text has this word in it.
+inline std::size_t occurrences(std::string_view text, std::string_view word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at < text.size(); at = text.find(word, at + word.size())) ++count;
+  return count;
+}
+
 /// Reads white-space separated words from a text, and knows in which line it stands.
 class TextScanner {
  public:

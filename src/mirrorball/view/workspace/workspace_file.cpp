@@ -99,7 +99,7 @@ Result<Workspace> fromJson(const nlohmann::json& document) {
     else
       workspace.parameters[static_cast<std::size_t>(number)] = textsOf(parameters);
   }
-  const std::vector<JsonReader> sides = json["sides"].elements();
+  const JsonReader::Elements sides = json["sides"].elements();
   for (std::size_t i = 0; i < std::min(sides.size(), workspace.sides.size()); ++i)
     workspace.sides[i] = sideOf(sides[i]);
   const std::string compare_by = json["compare_by"].text("none");

@@ -4,9 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <span>
 #include <utility>
 
@@ -20,14 +18,12 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/descriptor.h"
 #include "mirrorball/base/memory.h"
-#include "mirrorball/base/unfinished.h"
+#include "mirrorball/base/unnamed_output.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Of what is shorter, the whole is asked what it is.
 constexpr std::size_t kTellingBytes = 1024;
@@ -91,14 +87,6 @@ Result<void> keepInMemory() {
   return {};
 }
 
-/// A folder for the time of its owner's life.
-Result<UnfinishedPath> makeTemporaryFolder() {
-  std::error_code status;
-  std::string path = (fs::temp_directory_path(status) / "mirrorball_XXXXXX").string();
-  if (status || ::mkdtemp(path.data()) == nullptr) return failed(kOutputName, "no temporary folder can be made");
-  return UnfinishedPath(std::move(path));
-}
-
 }  // namespace
 
 Result<void> readStandardInput(const std::vector<std::string*>& inputs) {
@@ -128,17 +116,16 @@ Result<void> writeStandardOutput(std::string& output, const std::function<Result
     return fail(ErrorCode::usage, "--output " + output +
                                       " writes to standard output, and that is a terminal; redirect "
                                       "it, or name a file");
-  MIRRORBALL_TRY(folder, makeTemporaryFolder());
-  const std::string path = folder.path() + "/output" + output.substr(1);
+  // No such file can be there, but a folder, which is looked for before long work.
+  const std::string path = "/dev/fd/1" + output.substr(1);
+  const UnnamedOutput written(path);
   showAs(path, kOutputName);
   keepStandardOutputFree();
   output = path;
   MIRRORBALL_TRY_VOID(work());
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) return failed(kOutputName, "was not made");
-  // Whatever ends the program while somebody reads, nothing stays.
-  folder.remove();
-  return copyAll(file.number(), STDOUT_FILENO, kOutputName, UINT64_MAX);
+  if (!written.file().isOpen()) return fail(ErrorCode::io, std::string(kOutputName) + ": was not made");
+  if (::lseek(written.file().number(), 0, SEEK_SET) < 0) return failed(kOutputName, "cannot be read again");
+  return copyAll(written.file().number(), STDOUT_FILENO, kOutputName, UINT64_MAX);
 }
 
 Result<void> withStandardStreams(const std::vector<std::string*>& inputs, std::string& output,

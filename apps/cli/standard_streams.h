@@ -16,10 +16,11 @@ namespace mirrorball::cli {
 ///          as an image nor as a model); too_large: more than memoryLimit()
 Result<void> readStandardInput(const std::vector<std::string*>& inputs);
 
-/// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes a file in
-/// a folder of its own, whose bytes follow when it is finished. Whatever else is said goes to standard error.
+/// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes an
+/// unnamed file (UnnamedOutput), whose bytes follow when it is finished, so that nothing stays of a run that is killed.
+/// All messages go to standard error.
 ///
-/// output   as the user gave it; while the work runs, the path of the file
+/// output   as the user gave it; while the work runs, the name of the file
 /// errors   usage ("-" alone tells no format; it is a terminal); io; as the work's
 Result<void> writeStandardOutput(std::string& output, const std::function<Result<void>()>& work);
 

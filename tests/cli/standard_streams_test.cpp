@@ -1,8 +1,15 @@
 // "-" for standard input, "-.exr" for standard output, --quiet and --threads.
 
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "cli/cli_testing.h"
 
@@ -96,6 +103,39 @@ TEST_F(StandardStreamsTest, NothingStaysInTheTemporaryFolder) {
   EXPECT_EQ(outcome.signal, SIGINT);
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(std::filesystem::is_empty(path("tmp")));
+}
+
+// A pipe takes 64 kB, and nobody reads it: the program waits with the rest of its output, or still works.
+TEST_F(StandardStreamsTest, NothingStaysOfAKilledRun) {
+  std::filesystem::create_directory(path("tmp"));
+  for (const std::string line : {"convert map.exr --to cube --size 256 -o -.exr", "bake map.exr -o -.ktx2",
+                                 "convert map.exr --to cube --size 128 --mips -o -.ktx2"}) {
+    int ends[2];
+    ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::dup2(ends[1], STDOUT_FILENO);
+      ::setenv("TMPDIR", path("tmp").c_str(), 1);
+      std::vector<std::string> words = Arguments(line).words;
+      words.insert(words.begin(), programFile().string());
+      std::vector<char*> arguments;
+      for (std::string& word : words) arguments.push_back(word.data());
+      arguments.push_back(nullptr);
+      if (::chdir(path("").c_str()) == 0) ::execv(arguments[0], arguments.data());
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    pollfd output{.fd = ends[0], .events = POLLIN, .revents = 0};
+    constexpr int kAtMost_ms = 60000;
+    EXPECT_EQ(::poll(&output, 1, kAtMost_ms), 1) << line;
+    EXPECT_TRUE(output.revents & POLLIN) << line;
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ::close(ends[0]);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << line;
+    EXPECT_TRUE(std::filesystem::is_empty(path("tmp"))) << line;
+  }
 }
 
 TEST_F(StandardStreamsTest, WhatStandardOutputCannotTakeIsToldAtOnce) {

@@ -12,7 +12,9 @@
 #include "avif_mutation.h"
 #include "chance.h"
 #include "jxl_mutation.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/avif_testing.h"
 #include "obus.h"
 #include "picture.h"
 
@@ -116,6 +118,28 @@ TEST(AvifParts, AreThoseOfTheFileWhereverItsItemsAre) {
       ASSERT_EQ(decoded.has_value(), plain.has_value()) << number << ": " << decoded.error().message;
       if (plain) EXPECT_TRUE(std::ranges::equal(decoded->image.samples(), plain->image.samples())) << number;
     }
+  }
+}
+
+/// Memory is taken for the size in the data, wherever that is. Where libavif says where it is, it is looked at before
+/// decoding; in `idat` it is not, and dav1d refuses it by its limit.
+TEST(AvifParts, DataLargerThanTheFileSaysIsRefusedWhereverItIs) {
+  auto parts = avifPartsIn(testing::avifOf(Image8(1024, 1024, 3)));
+  ASSERT_TRUE(parts);
+  FileBox* iprp = firstBox(firstBox(parts->boxes, "meta")->boxes, "iprp");
+  FileBox* size = firstBox(firstBox(iprp->boxes, "ipco")->boxes, "ispe");
+  ASSERT_NE(size, nullptr);
+  size->content = {0, 0, 0, 0, 0, 0, 0, 16, 0, 0, 0, 16};
+  const std::uint64_t usual = memoryLimit();
+  for (const AvifPlaces& places :
+       {AvifPlaces{}, AvifPlaces{.version = 1, .is_in_meta = true}, AvifPlaces{.extents = 3}}) {
+    const Bytes file = avifOfParts(*parts, places);
+    const auto scaled = decodeImage(file);
+    ASSERT_TRUE(scaled) << scaled.error().message;
+    EXPECT_EQ(scaled->image.width(), 16) << "libavif scales it";
+    setMemoryLimit(std::uint64_t{8} << 20u);
+    EXPECT_FALSE(decodeImage(file)) << "where " << (places.is_in_meta ? "it is in idat" : "libavif knows its place");
+    setMemoryLimit(usual);
   }
 }
 

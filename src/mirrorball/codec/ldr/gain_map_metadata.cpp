@@ -8,81 +8,22 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/ldr/xmp_properties.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr std::string_view kHdrGainMap = "http://ns.adobe.com/hdr-gain-map/1.0/";
-constexpr std::string_view kSpace = " \t\r\n";
+constexpr std::string_view kHdrPrefix = "hdrgm";
 
 tl::unexpected<Error> damagedGainMap(const std::string& what) {
   return fail(ErrorCode::bad_file, "has a damaged gain map: " + what + "; save it anew, or without the gain map");
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
-  return text.substr(begin, text.find_last_not_of(kSpace) + 1 - begin);
-}
-
-/// What stands between two texts, of which the first may have been found before.
-std::optional<std::string_view> between(std::string_view text, std::string_view begin, std::string_view end) {
-  const std::size_t at = text.find(begin);
-  if (at == std::string_view::npos) return std::nullopt;
-  const std::string_view rest = text.substr(at + begin.size());
-  const std::size_t stop = rest.find(end);
-  return stop == std::string_view::npos ? std::nullopt : std::optional(rest.substr(0, stop));
-}
-
-/// The values of one property of gain maps in an XMP packet.
-class GainMapProperties {
- public:
-  explicit GainMapProperties(std::string_view xmp) : xmp_(xmp), prefix_(prefixIn(xmp)) {}
-
-  /// One value or those of a list; none where the property is absent.
-  std::vector<std::string_view> values(std::string_view name) const {
-    const std::string whole = prefix_ + ":" + std::string(name);
-    for (std::size_t at = xmp_.find(whole); at != std::string_view::npos; at = xmp_.find(whole, at + 1)) {
-      const std::string_view rest = trimmed(xmp_.substr(at + whole.size()));
-      if (rest.starts_with('=')) {
-        const std::string_view quoted = trimmed(rest.substr(1));
-        if (quoted.empty() || (quoted[0] != '"' && quoted[0] != '\'')) continue;
-        return {trimmed(quoted.substr(1, quoted.substr(1).find(quoted[0])))};
-      }
-      if (at > 0 && xmp_[at - 1] == '<' && rest.starts_with('>'))
-        return listed(rest.substr(1, rest.find("</" + whole) - 1));
-    }
-    return {};
-  }
-
- private:
-  /// The name that the packet gives the namespace: xmlns:hdrgm="http://…".
-  static std::string prefixIn(std::string_view xmp) {
-    const std::size_t uri = xmp.find(kHdrGainMap);
-    const std::string_view before = xmp.substr(0, std::min(uri, xmp.size()));
-    const std::size_t at = before.rfind("xmlns:");
-    if (at == std::string_view::npos) return "hdrgm";
-    const std::string_view rest = before.substr(at + 6);
-    return std::string(trimmed(rest.substr(0, rest.find('='))));
-  }
-
-  static std::vector<std::string_view> listed(std::string_view inside) {
-    std::vector<std::string_view> values;
-    while (const auto value = between(inside, "<rdf:li>", "</rdf:li>")) {
-      values.push_back(trimmed(*value));
-      inside = inside.substr(static_cast<std::size_t>(value->data() - inside.data()) + value->size());
-    }
-    if (values.empty()) values.push_back(trimmed(inside));
-    return values;
-  }
-
-  std::string_view xmp_;
-  std::string prefix_;
-};
-
 /// A number for each channel; one is for all.
 ///
 /// absent   NaN: the property must be there
-Result<glm::vec3> numbersOf(const GainMapProperties& properties, const char* name, float absent) {
+Result<glm::vec3> numbersOf(const XmpProperties& properties, const char* name, float absent) {
   const std::vector<std::string_view> values = properties.values(name);
   if (values.empty() && !std::isnan(absent)) return glm::vec3(absent);
   if (values.size() != 1 && values.size() != 3)
@@ -147,11 +88,12 @@ Result<GainMap> checkedGainMap(const GainMap& map) {
 }  // namespace
 
 bool speaksOfGainMap(std::string_view xmp) {
-  return xmp.find(kHdrGainMap) != std::string_view::npos && !GainMapProperties(xmp).values("Version").empty();
+  return xmp.find(kHdrGainMap) != std::string_view::npos &&
+         !XmpProperties(xmp, kHdrGainMap, kHdrPrefix).values("Version").empty();
 }
 
 Result<GainMap> readGainMapXmp(std::string_view xmp) {
-  const GainMapProperties properties(xmp);
+  const XmpProperties properties(xmp, kHdrGainMap, kHdrPrefix);
   const auto first = [&](const char* name) {
     const auto values = properties.values(name);
     return values.empty() ? std::string_view() : values.front();

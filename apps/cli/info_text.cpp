@@ -174,12 +174,6 @@ std::string textOf(const Error& error) { return line("error", error.message); }
 
 }  // namespace
 
-std::size_t triangleCount(const Scene& scene) {
-  std::size_t corners = 0;
-  for (const Instance& instance : scene.instances) corners += scene.meshes[std::size_t(instance.mesh)]->indices.size();
-  return corners / 3;
-}
-
 std::string textOf(const InputInfo& info) {
   const auto* const map = std::get_if<MapInfo>(&info.what);
   const std::string heading = map && map->direction ? "" : printable(info.name) + "\n";

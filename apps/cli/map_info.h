@@ -51,9 +51,6 @@ struct ModelInfo {
   std::vector<MaterialFacts> materials = materialFacts(scene);
 };
 
-/// How many it shows, each as often as its mesh is placed.
-std::size_t triangleCount(const Scene& scene);
-
 /// What is known of one input.
 struct InputInfo {
   std::string name;

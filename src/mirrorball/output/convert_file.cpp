@@ -9,12 +9,10 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert/convert_rows.h"
+#include "mirrorball/environment/file/large_panorama.h"
 
 namespace mirrorball {
 namespace {
-
-/// Panoramas that take more memory than this are read by rows.
-constexpr std::uint64_t kLargePanorama_bytes = std::uint64_t{512} << 20;
 
 std::uint64_t bytesOf(glm::ivec2 size, int channels) {
   return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(channels) * sizeof(float);
@@ -95,12 +93,6 @@ Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows>
     if (is_copy) return copyRows(*once.rows, input, take, progress);
     return convertRows(*once.rows, window, to, size, resampling, take, progress);
   });
-}
-
-bool isLarge(const PanoramaRows& panorama) {
-  const RowReader::Description& picture = panorama.rows->description();
-  const std::uint64_t bytes = bytesOf({picture.width, picture.height}, picture.channels);
-  return bytes > std::min(kLargePanorama_bytes, memoryLimit() / 2);
 }
 
 /// The output of an input whose projection is known.

@@ -53,6 +53,12 @@ std::vector<MaterialFacts> materialFacts(const Scene& scene) {
   return all;
 }
 
+std::size_t triangleCount(const Scene& scene) {
+  std::size_t corners = 0;
+  for (const Instance& instance : scene.instances) corners += scene.meshes[std::size_t(instance.mesh)]->indices.size();
+  return corners / 3;
+}
+
 std::vector<std::string> likelyMistakes(const Scene& scene) {
   constexpr float kSmall = 1e-3f, kLarge = 1e3f;  // metres, in glTF
   std::vector<std::string> mistakes;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,9 @@ struct MaterialFacts {
 
 /// Of each of a scene's materials, in their order.
 std::vector<MaterialFacts> materialFacts(const Scene& scene);
+
+/// How many triangles a scene shows, each as often as its mesh is placed.
+std::size_t triangleCount(const Scene& scene);
 
 /// What is likely to be a mistake of the program that a model comes from, a sentence each: it is black, or gone, or its
 /// pictures do not show, or it is as small or as large as another unit would make it.

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <vector>
 
 #include <stb/stb_easy_font.h>
+
+#include "mirrorball/metric/picture/plain_letters.h"
 
 namespace mirrorball {
 namespace {
@@ -23,18 +24,8 @@ using Stroke = std::array<Corner, 4>;  ///< an upright rectangle, from its upper
 constexpr int kLineHeight = 12;
 constexpr int kCellWidth = 7;  ///< of the widest letter
 
-/// One line of the letters that the font has.
-std::string ascii(std::string_view text) {
-  std::string letters;
-  for (const char letter : text) {
-    const bool continues = (static_cast<unsigned char>(letter) & 0xC0u) == 0x80u;  // a code point of several bytes
-    if (!continues) letters += letter >= ' ' && letter <= '~' ? letter : '?';
-  }
-  return letters;
-}
-
 /// The strokes of one letter, whose cell begins at x = 0.
-std::vector<Stroke> strokesOf(char letter) {
+std::vector<Stroke> letterStrokes(char letter) {
   std::vector<Stroke> strokes(32);  // '@' has 13
   std::array<char, 2> text{letter, '\0'};
   const int free = kCellWidth - stb_easy_font_width(text.data());
@@ -48,12 +39,14 @@ std::vector<Stroke> strokesOf(char letter) {
 
 int lineHeight(int scale) { return kLineHeight * scale; }
 
-int textWidth(std::string_view text, int scale) { return scale * kCellWidth * static_cast<int>(ascii(text).size()); }
+int textWidth(std::string_view text, int scale) {
+  return scale * kCellWidth * static_cast<int>(plainLetters(text).size());
+}
 
 void drawText(Image8& picture, glm::ivec2 upper_left, int scale, glm::vec<3, std::uint8_t> color,
               std::string_view text) {
-  for (const char letter : ascii(text)) {
-    for (const Stroke& stroke : strokesOf(letter)) {
+  for (const char letter : plainLetters(text)) {
+    for (const Stroke& stroke : letterStrokes(letter)) {
       const int left = upper_left.x + scale * static_cast<int>(stroke[0].x);
       const int top = upper_left.y + scale * static_cast<int>(stroke[0].y);
       const int right = std::min(upper_left.x + scale * static_cast<int>(stroke[2].x), picture.width());

@@ -21,7 +21,7 @@ int textWidth(std::string_view text, int scale);
 /// Draws a line of text into a picture of 3 channels; what lies beside the picture is left out.
 ///
 /// upper_left  of the first letter
-/// text        UTF-8; what is not ASCII is drawn as '?'
+/// text        UTF-8; drawn in plainLetters
 void drawText(Image8& picture, glm::ivec2 upper_left, int scale, glm::vec<3, std::uint8_t> color,
               std::string_view text);
 

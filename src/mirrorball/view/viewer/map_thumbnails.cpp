@@ -1,11 +1,10 @@
 #include "mirrorball/view/viewer/map_thumbnails.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "formula/color.h"
 #include "mirrorball/base/range.h"
+#include "mirrorball/codec/color/automatic_exposure.h"
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/view/viewer/map_loading.h"
@@ -15,25 +14,11 @@ namespace {
 
 constexpr int kHeight_px = 48;
 
-/// The exposure at which the geometric mean of all light is a middle grey: a room and a meadow are as easy to see.
-Display displayFor(const Image& light) {
-  constexpr double kMiddleGrey = 0.18, kLeast = 1e-6;
-  double logarithms = 0.0;
-  for (int y = 0; y < light.height(); ++y)
-    for (int x = 0; x < light.width(); ++x) {
-      const float* const texel = light.texel(x, y);
-      const double grey = double(formula::luminance(glm::vec3(texel[0], texel[1], texel[2])));
-      logarithms += std::log2(grey > kLeast ? grey : kLeast);
-    }
-  const double mean = logarithms / (double(light.width()) * light.height());
-  return {.exposure_ev = static_cast<float>(std::log2(kMiddleGrey) - mean), .tone_map = ToneMap::agx};
-}
-
 Result<Image8> thumbnailOf(const AskedMap& asked, const ProgressFunction& progress) {
   MIRRORBALL_TRY(source, loadMap(asked, {.environment = {.repair = true}}, progress));
   MIRRORBALL_TRY(map, convert(source.loaded.environment, Projection::equirect, kHeight_px, {}, progress));
   Image light = pictureOf(std::move(map), {.projection = Projection::equirect});
-  const Display display = displayFor(light);
+  const Display display{.exposure_ev = automaticExposure(light), .tone_map = ToneMap::agx};
   Image opaque(light.width(), light.height(), 4, 1.0f);
   for (int y = 0; y < light.height(); ++y)
     for (int x = 0; x < light.width(); ++x) std::copy_n(light.texel(x, y), 3, opaque.texel(x, y));

@@ -8,10 +8,10 @@
 namespace mirrorball::cli {
 
 std::vector<Command> allCommands() {
-  std::vector<Command> commands{renderCommand(),   convertCommand(), bakeCommand(),     captureCommand(),
-                                exportCommand(),   infoCommand(),    lightsCommand(),   compareCommand(),
-                                studyCommand(),    fresnelCommand(), photoCommand(),    surfaceCommand(),
-                                transferCommand(), cacheCommand(),   referenceCommand()};
+  std::vector<Command> commands{renderCommand(),  convertCommand(),  bakeCommand(),    captureCommand(),
+                                exportCommand(),  infoCommand(),     lightsCommand(),  compareCommand(),
+                                contactCommand(), studyCommand(),    fresnelCommand(), photoCommand(),
+                                surfaceCommand(), transferCommand(), cacheCommand(),   referenceCommand()};
   for (Command& command : commands) {
     auto common = std::make_shared<CommonOptions>();
     addOptions(command, commonOptions(), *common);

@@ -15,6 +15,7 @@ Command exportCommand();
 Command infoCommand();
 Command lightsCommand();
 Command compareCommand();
+Command contactCommand();
 Command photoCommand();
 Command surfaceCommand();
 Command transferCommand();

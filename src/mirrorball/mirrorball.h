@@ -11,6 +11,8 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/contact/contact.h"
+#include "mirrorball/contact/contact_settings.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/file/load.h"

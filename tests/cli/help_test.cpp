@@ -29,7 +29,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export",   "info",  "compare",
+const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export",   "info",  "compare",  "contact",
                                  "study",  "fresnel", "photo", "surface", "transfer", "cache", "reference"};
 
 /// Help with all options, whose lines are joined again.

@@ -45,6 +45,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"trace", {"rays", "bake"}},
     {"transfer", {"rays", "height_field"}},
     {"render", {"gl", "rays", "light_edit"}},
+    {"contact", {"render"}},
     {"study", {"render", "trace", "metric"}},
     {"view", {"study", "photo", "light_edit"}},
 };

@@ -1,0 +1,177 @@
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/interruption.h"
+#include "cli/map_inputs.h"
+#include "cli/standard_streams.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/cache_folder.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/contact/contact.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// What `contact` reads from its command line beside its inputs and what the sheet looks like.
+struct ContactFiles {
+  std::string output;
+  bool is_uncached = false;
+};
+
+const std::string kContactSheetHelp = "required: the picture file of the sheet, " +
+                                      writtenExtensions(Holds::picture, " or ") + "; -.png is standard output";
+
+const auto kContactFileOptions = std::to_array<Option<ContactFiles>>({
+    {{.name = "output",
+      .value = "OUT",
+      .help = kContactSheetHelp,
+      .letter = "o",
+      .group = "Files",
+      .takes_path = true,
+      .is_daily = true},
+     &ContactFiles::output},
+    {{.name = "no-cache",
+      .help = "make anew what the user's cache folder keeps of environments and models, without that folder",
+      .group = "Files"},
+     &ContactFiles::is_uncached},
+    {kMaxMemoryText, kMemoryLimitField<ContactFiles>},
+});
+
+const Option<ContactSettings> kInsideOnly{kInsideOnlyText, &ContactSettings::inside_only};
+
+/// Options that describe how models are shown.
+constexpr std::array<std::string_view, 7> kOfModels{"env",     "samples",     "camera",  "up",
+                                                    "quality", "inside-only", "no-cache"};
+
+struct ContactRequest {
+  std::vector<std::string> inputs;
+  ContactFiles files;
+  ContactSettings settings;
+  GivenOptions set;  ///< options that the user has set
+};
+
+/// Refuses what can be refused before anything is read.
+///
+/// errors   usage; io (the folder)
+Result<void> checkContactOutput(const ContactRequest& request) {
+  const std::string& output = request.files.output;
+  if (output.empty()) {
+    MIRRORBALL_TRY_VOID(refuseUnnamedOutput(request.inputs, isOutputName));
+    return fail(ErrorCode::usage, "contact needs an output: -o FILE, " + writtenExtensions(Holds::picture, " or "));
+  }
+  MIRRORBALL_TRY_VOID(checkFolder(output));
+  MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::picture}));
+  return refuseOverwriting(request.inputs, {&output, 1});
+}
+
+/// The maps and models, each cube once.
+std::vector<ContactInput> contactInputs(const ContactRequest& request, const FormHint& from) {
+  std::vector<std::string> maps;
+  for (const std::string& input : request.inputs)
+    if (!isModelInput(input)) maps.push_back(input);
+  const std::vector<std::string> kept = withEachCubeOnce(maps, from);
+  std::vector<ContactInput> inputs;
+  auto next = kept.begin();
+  for (const std::string& input : request.inputs) {
+    const bool is_kept = next != kept.end() && *next == input;
+    if (!is_kept && !isModelInput(input)) continue;
+    inputs.push_back({input, shown(input)});
+    if (is_kept) ++next;
+  }
+  return inputs;
+}
+
+/// Remarks on options that change nothing.
+void remarkOnModelOptions(const ContactRequest& request, const std::vector<ContactInput>& inputs) {
+  for (const ContactInput& each : inputs)
+    if (isModelInput(each.input)) return;
+  std::vector<std::string> idle;
+  for (const std::string_view name : kOfModels)
+    if (request.set.contains(name)) idle.push_back("--" + std::string(name));
+  if (!idle.empty()) remark(changesNothing(idle, "none of the inputs is a model"));
+}
+
+Result<std::optional<CacheFolder>> cacheFor(const ContactRequest& request) {
+  if (request.files.is_uncached) return std::optional<CacheFolder>();
+  MIRRORBALL_TRY(folder, CacheFolder::ofUser());
+  if (folder)
+    if (const auto usable = folder->check(); !usable) remark(usable.error().message);
+  return folder;
+}
+
+/// Writes a sheet of all inputs that can be shown.
+///
+/// errors   usage; interrupted; as makeContactSheet's; of one input alone its own; bad_file: some of several failed
+Result<void> contact(const ContactRequest& request) {
+  MIRRORBALL_TRY_VOID(checkContactOutput(request));
+  MIRRORBALL_TRY(hint, formHintNamed(request.settings.from));
+  const std::vector<ContactInput> inputs = contactInputs(request, hint);
+  remarkOnModelOptions(request, inputs);
+  MIRRORBALL_TRY(cache, cacheFor(request));
+  std::vector<Error> errors;
+  const bool is_one = inputs.size() == 1;
+  MIRRORBALL_TRY(sheet, makeContactSheet(inputs, request.settings, cache, terminalObserver(), [&](const Error& error) {
+                   errors.push_back(error);
+                   if (!is_one) complain(error);
+                 }));
+  if (is_one && !errors.empty()) return tl::unexpected<Error>(errors.front());
+  for (const std::string& note : sheet.notes) remark(note);
+  const std::string& output = request.files.output;
+  if (errors.size() < inputs.size()) {
+    MIRRORBALL_TRY_VOID(refuseOverwriting(sheet.files, {&output, 1}));
+    MIRRORBALL_TRY_VOID(savePicture(output, sheet.picture));
+    announce(output);
+  }
+  return outcomeOfMany(errors.size(), inputs.size(), "shown", "");
+}
+
+}  // namespace
+
+Command contactCommand() {
+  auto request = std::make_shared<ContactRequest>();
+  const std::string formats = "maps (" + std::string(readExtensions()) + "), models (" + modelExtensions() + ")";
+  Command command{.name = "contact",
+                  .help = "Makes a contact sheet: a picture with a cell and a name for each of many maps and models",
+                  .about =
+                      "IN is a map or a model, a file or a built-in, or - for standard input; both kinds may be "
+                      "on one sheet. `--output` is required.",
+                  .examples = {{"contact hdris/*.hdr -o sheet.png", "an overview of a folder of panoramas"},
+                               {"contact models/*.glb -e attic.hdr --columns 6 --size 240 -o models.jpg",
+                                "models in the light of an attic"}}};
+  addArgument(command,
+              {.name = "IN",
+               .help = formats + ", built-in ones: " + join(builtinEnvironmentNames(), " ") + " " +
+                       join(builtinModelNames(), " ") + ", or - for standard input",
+               .missing = "name maps or models",
+               .takes_path = true},
+              request->inputs);
+  ContactSettings& settings = request->settings;
+  addOptions(command, std::span(kContactFileOptions).first(1), request->files);
+  addOptions(command, contactOptions(), settings, &request->set);
+  static const auto of_frame =
+      rowsNamed(frameOptions(), std::array<std::string_view, 3>{"tone-map", "samples", "camera"});
+  static const auto of_stance = rowsNamed(stanceOptions(), std::array<std::string_view, 1>{"up"});
+  addOptions(command, of_frame, settings.frame, &request->set);
+  addOptions(command, of_stance, settings.stance, &request->set);
+  addOptions(command, qualityOptions(), settings.quality, &request->set);
+  addOptions(command, std::span(&kInsideOnly, 1), settings, &request->set);
+  addOptions(command, std::span(kContactFileOptions).subspan(1), request->files, &request->set);
+  command.action = [request] {
+    return withStandardStreams(pointersTo(request->inputs), request->files.output, [&] { return contact(*request); });
+  };
+  return command;
+}
+
+}  // namespace mirrorball::cli

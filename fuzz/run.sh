@@ -23,9 +23,10 @@ run_timed() { time nice -n 19 chrt -i 0 "$@"; }
 used=0 status=0
 while [ $used -lt "$seconds" ] && [ $status -eq 0 ]; do
   piece=$((seconds - used < 600 ? seconds - used : 600))
-  # -close_fd_mask: what libraries print of damaged files would be gigabytes.
+  # -timeout is by the clock, of which a busy machine may leave this little. -close_fd_mask: what libraries print of
+  # damaged files would be gigabytes.
   run_timed "$build/fuzz/fuzz_$harness" "$own" ${seeds:+"$seeds"} \
-    -max_total_time=$piece -max_len=4096 -timeout=25 -rss_limit_mb=4096 -close_fd_mask=3 -print_final_stats=1 \
+    -max_total_time=$piece -max_len=4096 -timeout=120 -rss_limit_mb=4096 -close_fd_mask=3 -print_final_stats=1 \
     -artifact_prefix="$build/findings/$harness-" "$@" >"$log" 2>&1 || status=$?
   line=$(awk -v status=$status '
     /^stat::number_of_executed_units/ { inputs = $2 }

@@ -1,6 +1,7 @@
 // Radiance, or what a display shows of it, with premultiplied alpha to an encoded picture with straight alpha, over a
 // colour of the display.
 #include "color.glsl"
+#include "dither.glsl"
 
 uniform sampler2D picture;
 uniform float samples;       // by whose number each was divided before all were added up
@@ -11,6 +12,7 @@ uniform float as_displayed;  // 1: `picture` is a display's light
 uniform float exposure;
 uniform int tone_map;
 uniform vec4 backdrop;  // linear, premultiplied
+uniform int dithered_rows;  // of the picture, whose codes are dithered; 0: they are not
 
 out vec4 fragment;
 
@@ -19,4 +21,8 @@ void main() {
   vec4 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0) * (samples / (of_pixel > 0.0 ? of_pixel : count));
   if (as_displayed < 0.5) light = displayLight(light, exposure, tone_map);
   fragment = encodedPicture(laidOver(light, backdrop));
+  if (dithered_rows > 0) {
+    ivec2 from_top = ivec2(int(gl_FragCoord.x), dithered_rows - 1 - int(gl_FragCoord.y));
+    fragment = vec4(dithered(vec3(fragment), from_top), fragment.w);
+  }
 }

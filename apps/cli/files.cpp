@@ -38,7 +38,7 @@ Result<void> refuseSharedNames(std::span<const std::string> outputs) {
 Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead) {
   if (!formatToWrite(output, {Holds::light, Holds::texture})) return {};
   std::string options;
-  for (const std::string_view name : {"exposure", "tone-map", "resolve"})
+  for (const std::string_view name : {"exposure", "tone-map", "dither", "resolve"})
     if (given.contains(name)) options += (options.empty() ? "--" : " and --") + std::string(name);
   if (options.empty()) return {};
   return fail(ErrorCode::usage, output + ": holds light as it is; for " + options + " write " +

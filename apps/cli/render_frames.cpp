@@ -36,9 +36,9 @@ Result<void> renderEach(Renderer& renderer, const char* what, const PictureFiles
 }
 
 /// Writes light in the file's primaries: radiance, or what a display sends of it.
-Result<void> writeLight(const std::string& output, Image light, const PictureForm& form) {
+Result<void> writeLight(const std::string& output, Image light, const PictureForm& form, Dither dither) {
   convertFromRec709(light, form.primaries);
-  return writeImage(output, light, {.metadata = {}, .primaries = form.primaries});
+  return writeImage(output, light, {.metadata = {}, .primaries = form.primaries, .dither = dither});
 }
 
 float angleOf(std::size_t frame, std::size_t frames) {
@@ -54,7 +54,7 @@ Result<void> writeShown(const std::string& output, Image radiance, const FrameSe
     const Image light = lightOnDisplay(frame.display, radiance, backdrop);
     return savePictureWithGainMap(output, displayedPicture(frame.display, std::move(radiance), backdrop), light);
   }
-  return writeLight(output, displayedLight(frame.display, std::move(radiance), backdrop), form);
+  return writeLight(output, displayedLight(frame.display, std::move(radiance), backdrop), form, frame.display.dither);
 }
 
 Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
@@ -71,11 +71,13 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
   MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
   if (storesLinearLight(output)) {
     MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
-    return clock.time("picture: encode and write", [&] { return writeLight(output, std::move(radiance), form); });
+    return clock.time("picture: encode and write",
+                      [&] { return writeLight(output, std::move(radiance), form, settings.display.dither); });
   }
   if (form.primaries != OutputPrimaries::rec709) {
     MIRRORBALL_TRY(light, clock.time("frame: finish, tone map, read back", [&] { return renderer.displayedLight(); }));
-    return clock.time("picture: encode and write", [&] { return writeLight(output, std::move(light), form); });
+    return clock.time("picture: encode and write",
+                      [&] { return writeLight(output, std::move(light), form, settings.display.dither); });
   }
   MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
   return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });

@@ -118,8 +118,8 @@ TEST_F(BadOutputTest, JpegAndHdrHaveNoAlpha) {
 // --tone-map neutral and --resolve display are the defaults: what counts is that they were given.
 TEST_F(BadOutputTest, WhatHoldsRadianceHasNoDisplay) {
   for (const std::string output : {"out.exr", "out.hdr"}) {
-    for (const std::string option :
-         {"--exposure 1", "--exposure 0", "--tone-map neutral", "--tone-map aces", "--resolve display"})
+    for (const std::string option : {"--exposure 1", "--exposure 0", "--tone-map neutral", "--tone-map aces",
+                                     "--dither none", "--resolve display"})
       EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 -o " + output + " " + option),
                   AllOf(StartsWith(output + ": holds light as it is; for " + option.substr(0, option.find(' '))),
                         HasSubstr("write .png or .jpg")));

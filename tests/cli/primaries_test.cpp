@@ -142,9 +142,10 @@ TEST_F(RenderPrimariesTest, RadianceComesBack) {
 
 TEST_F(RenderPrimariesTest, APictureShowsTheSameInAllPrimaries) {
   for (const std::string background : {"transparent", "#3080ff", "env"}) {
-    succeed(gold_ + "--samples 16 --background " + background + " -o plain.png");
+    succeed(gold_ + "--samples 16 --dither none --background " + background + " -o plain.png");
     for (const std::string option : {"p3", "rec2020"}) {
-      succeed(gold_ + "--samples 16 --primaries " + option + " --background " + background + " -o wide.png");
+      succeed(gold_ + "--samples 16 --dither none --primaries " + option + " --background " + background +
+              " -o wide.png");
       EXPECT_THAT(succeed("info wide.png"), HasSubstr("): converted"));
       const Image wide = image("wide.png"), plain = image("plain.png");
       ASSERT_EQ(wide.channels(), plain.channels());

@@ -55,6 +55,12 @@ const Case kCases[] = {
     PARITY(encodedPicture, unit, kTranscendental, encodedPicture(vec4(vec3(p) * r.y, r.y))),
     PARITY(displayed, light, kTranscendental, displayed(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
 
+    // dither
+    PARITY(ditherLevel, unit, kExact,
+           vec4(float(ditherLevel(ivec2(int(4096.0f * p.x), int(2048.0f * p.y)))), 0.0f, 0.0f, 0.0f)),
+    PARITY(ditherThreshold, unit, kExact, vec4(ditherThreshold(int(63.9375f * p.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(dithered, unit, kExact, vec4(dithered(vec3(q), ivec2(int(4096.0f * p.x), int(2048.0f * p.y))), 0.0f)),
+
     // cube
     PARITY(cubeFace, direction, kExact, vec4(float(cubeFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
     PARITY(cubeProjected, direction, kExact, vec4(cubeProjected(int(5.9375f * r.x), vec3(p)), 0.0f)),

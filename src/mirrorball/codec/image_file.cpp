@@ -111,7 +111,7 @@ Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageW
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
   if (codec.encode) return codec.encode(image, options);
   const int channels = std::min(image.channels(), codec.picture_channels);
-  return codec.encode_picture(pictureFromLinear(image, channels), options.metadata, options.primaries);
+  return codec.encode_picture(pictureFromLinear(image, channels, options.dither), options.metadata, options.primaries);
 }
 
 template <typename Sample>

@@ -9,6 +9,7 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/color/output_primaries.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -56,6 +57,7 @@ struct ImageWriteOptions {
   std::vector<ImageLayer> layers = {};  ///< OpenEXR alone
   /// That the image has, and the file states; what is in memory is brought to them by convertFromRec709.
   OutputPrimaries primaries = OutputPrimaries::rec709;
+  Dither dither = Dither::none;  ///< of formats of 8 bits
 };
 
 /// Reads a file that is to be decoded, as a whole. A large one that holds no image is refused by what it begins and

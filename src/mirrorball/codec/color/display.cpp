@@ -8,7 +8,6 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_format.h"
 
 namespace mirrorball {
@@ -44,6 +43,14 @@ OptionText toneMapText() {
           .soft_maximum = 8,
           .step = 0.1,
           .is_number = true};
+}
+
+OptionText ditherText() {
+  static const std::string help =
+      "how a picture of 8 bits (" + writtenExtensions(Holds::picture) +
+      ") shows light between two of its codes: pattern has a fixed pattern of both, so that a soft gradient has no "
+      "visible steps; none takes the nearest. Alpha is never dithered";
+  return {.name = "dither", .choices = "none|pattern", .help = help, .group = "Picture"};
 }
 
 OptionText gainMapText() {
@@ -93,7 +100,7 @@ Image displayedLight(const Display& display, Image image, glm::vec4 backdrop) {
 }
 
 Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop) {
-  return pictureFromLinear(displayedLight(display, std::move(image), backdrop), 4);
+  return pictureFromLinear(displayedLight(display, std::move(image), backdrop), 4, display.dither);
 }
 
 void layOver(Image& image, glm::vec4 backdrop) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mirrorball/base/option.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -11,6 +12,7 @@ enum class ToneMap { agx, aces, neutral, reinhard, linear };  ///< formula::tone
 struct Display {
   float exposure_ev = 0.0f;  ///< stops
   ToneMap tone_map = ToneMap::linear;
+  Dither dither = Dither::none;  ///< of pictures of 8 bits
 
   /// The factor on the radiance, 2^EV.
   float exposure() const;
@@ -20,6 +22,9 @@ struct Display {
 /// --exposure and --tone-map, of every command that writes pictures of light.
 OptionText exposureText();
 OptionText toneMapText();
+
+/// --dither, of what renders pictures. Maps are data for other programs, and are not dithered.
+OptionText ditherText();
 
 /// --gain-map, of every command that writes pictures of light as .jpg.
 OptionText gainMapText();

@@ -46,44 +46,57 @@ Image decode(std::span<const Code> samples, int width, int height, int channels,
   return image;
 }
 
-/// Finds the code of a light without a power function. The codes' boundaries (the lights that
-/// encode to k + ½) ascend, so the code is how many of them lie at or below the light. A table over
-/// the light's exponent and its first 7 mantissa bits tells the code at the lower end of such an
-/// interval; the interval spans less than one code (near white, where it is widest in codes,
-/// 255/2.4/128 = 0.83), so at most one step follows.
+/// Finds the code of a light without a power function. The codes' boundaries (of a dither level with the threshold t, the
+/// lights that encode to k + 1 − t; t = ½ rounds to the nearest code) ascend, so the code is how many of them lie at or
+/// below the light. A table over the light's exponent and its first 7 mantissa bits has, for the lower end of such an
+/// interval, the least code of all levels. The interval spans less than one code (near white, where it is widest in
+/// codes, 255/2.4/128 = 0.83), and the levels differ by less than one, so at most two steps follow.
 class Encoder {
  public:
-  Encoder() {
-    for (std::size_t k = 0; k < boundaries_.size(); ++k)
-      boundaries_[k] = formula::linearFromSrgb1((static_cast<float>(k) + 0.5f) / 255.0f);
-    for (std::size_t interval = 0; interval < first_codes_.size(); ++interval) {
+  /// thresholds  ascending
+  explicit Encoder(const std::vector<float>& thresholds) : boundaries_(thresholds.size()) {
+    for (std::size_t level = 0; level < thresholds.size(); ++level)
+      for (std::size_t k = 0; k < boundaries_[level].size(); ++k)
+        boundaries_[level][k] = formula::linearFromSrgb1((static_cast<float>(k) + 1.0f - thresholds[level]) / 255.0f);
+    const Boundaries& highest = boundaries_.front();
+    for (std::size_t interval = 0; interval < least_codes_.size(); ++interval) {
       const float lower = bitCast<float>(static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
-      const auto above = std::upper_bound(boundaries_.begin(), boundaries_.end(), lower);
-      first_codes_[interval] = static_cast<std::uint8_t>(above - boundaries_.begin());
+      const auto above = std::upper_bound(highest.begin(), highest.end(), lower);
+      least_codes_[interval] = static_cast<std::uint8_t>(above - highest.begin());
     }
   }
 
-  std::uint8_t encode(float light) const {
+  std::uint8_t encode(float light, std::size_t level) const {
     if (!(light >= kSmallest)) return 0;  // so that NaN becomes 0
     if (light >= 1.0f) return 255;
     const std::size_t interval = (bitCast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
-    std::uint8_t code = first_codes_[interval];
-    while (code < 255 && light >= boundaries_[code]) ++code;
+    std::uint8_t code = least_codes_[interval];
+    while (code < 255 && light >= boundaries_[level][code]) ++code;
     return code;
   }
 
  private:
   static constexpr int kDroppedBits = 23 - 7;
-  static constexpr float kSmallest = 0x1p-13f;  // below the first boundary, ½/255/12.92 = 1.5e-4
+  static constexpr float kSmallest = 0x1p-19f;  // below the first boundary of all levels, 1/128/255/12.92 = 2.4e-6
   static constexpr std::uint32_t kFirstInterval = bitCast<std::uint32_t>(kSmallest) >> kDroppedBits;
   static constexpr std::size_t kIntervals = (bitCast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
+  using Boundaries = std::array<float, 255>;
 
-  std::array<float, 255> boundaries_;
-  std::array<std::uint8_t, kIntervals> first_codes_;
+  std::vector<Boundaries> boundaries_;  ///< of each level
+  std::array<std::uint8_t, kIntervals> least_codes_;
 };
 
-const Encoder& encoder() {
-  static const Encoder instance;
+const Encoder& nearestEncoder() {
+  static const Encoder instance({0.5f});
+  return instance;
+}
+
+const Encoder& ditheringEncoder() {
+  static const Encoder instance([] {
+    std::vector<float> thresholds;
+    for (int level = 0; level < formula::kDitherLevels; ++level) thresholds.push_back(formula::ditherThreshold(level));
+    return thresholds;
+  }());
   return instance;
 }
 
@@ -103,20 +116,22 @@ Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int
   return decode<16>(samples, width, height, channels, curve);
 }
 
-Image8 pictureFromLinear(const Image& image, int channels) {
+Image8 pictureFromLinear(const Image& image, int channels, Dither dither) {
   Image8 picture(image.width(), image.height(), channels);
-  const Encoder& encoding = encoder();
+  const bool dithers = dither == Dither::pattern;
+  const Encoder& encoder = dithers ? ditheringEncoder() : nearestEncoder();
   parallelFor(std::size_t(image.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
       for (int x = 0; x < image.width(); ++x) {
         const float* light = image.texel(x, static_cast<int>(y));
         std::uint8_t* code = picture.texel(x, static_cast<int>(y));
-        for (int c = 0; c < channels; ++c) code[c] = c == 3 ? alpha8(light[c]) : encoding.encode(light[c]);
+        const auto level = dithers ? std::size_t(formula::ditherLevel({x, static_cast<int>(y)})) : 0;
+        for (int c = 0; c < channels; ++c) code[c] = c == 3 ? alpha8(light[c]) : encoder.encode(light[c], level);
       }
   });
   return picture;
 }
 
-std::uint8_t srgb8FromLinear(float light) { return encoder().encode(light); }
+std::uint8_t srgb8FromLinear(float light) { return nearestEncoder().encode(light, 0); }
 
 }  // namespace mirrorball

@@ -18,10 +18,17 @@ Image linearFromPicture(const Image8& picture, const TransferCurve& curve = kSrg
 Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels,
                           const TransferCurve& curve = kSrgbCurve);
 
-/// Encodes linear light to sRGB: clipped to [0, 1], rounded to the nearest code; NaN becomes 0.
+/// How colours between two codes become codes.
+enum class Dither {
+  none,     ///< the nearest
+  pattern,  ///< the one or the other, by the pixel's place: formula::dithered
+};
+
+/// Encodes linear light to sRGB: clipped to [0, 1]; NaN becomes 0. A fourth channel, alpha, is rounded to the nearest
+/// code.
 ///
 /// channels how many of the image's channels the picture gets, from the first
-Image8 pictureFromLinear(const Image& image, int channels);
+Image8 pictureFromLinear(const Image& image, int channels, Dither dither = Dither::none);
 
 /// The sRGB code nearest to `light` in encoded terms.
 std::uint8_t srgb8FromLinear(float light);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "formula/color.h"
@@ -44,6 +45,62 @@ TEST(Srgb, AlphaIsNotEncoded) {
   EXPECT_FLOAT_EQ(light.samples()[3], 128.0f / 255.0f);
   EXPECT_LT(light.samples()[0], 0.22f);
   EXPECT_EQ(pictureFromLinear(light, 4).samples()[3], 128);
+}
+
+TEST(Dither, EveryCodeStaysInEveryPixel) {
+  for (int code = 0; code < 256; ++code) {
+    const Image light = linearFromPicture(Image8(32, 32, 3, static_cast<std::uint8_t>(code)));
+    const Image8 picture = pictureFromLinear(light, 3, Dither::pattern);
+    EXPECT_THAT(picture.samples(), ::testing::Each(code));
+  }
+}
+
+TEST(Dither, IsTheFormula) {
+  Image light(256, 256, 1);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x)
+      *light.texel(x, y) = formula::linearFromSrgb1((static_cast<float>(x) + static_cast<float>(y) / 256.0f) / 256.0f);
+  const Image8 picture = pictureFromLinear(light, 1, Dither::pattern);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const float exact = 255.0f * formula::srgbFromLinear1(*light.texel(x, y));
+      const float threshold = formula::ditherThreshold(formula::ditherLevel({x, y}));
+      const float code = *picture.texel(x, y);
+      // 1e-4: what the formula's own float arithmetic leaves open at a code's boundary.
+      EXPECT_GE(exact + threshold, code - 1e-4f) << x << " " << y;
+      EXPECT_LE(exact + threshold, code + 1.0f + 1e-4f) << x << " " << y;
+    }
+}
+
+// Of any 16 x 16 pixels, wherever they lie; the nearest codes are off by up to 0.5.
+TEST(Dither, TheMeanOfPixelsIsTheLight) {
+  for (const float exact : {0.3f, 1.5f, 17.11f, 128.5f, 200.77f, 254.9f}) {
+    Image light(80, 48, 1);
+    for (float& sample : light.samples()) sample = formula::linearFromSrgb1(exact / 255.0f);
+    const Image8 picture = pictureFromLinear(light, 1, Dither::pattern);
+    for (int top = 0; top + 16 <= 48; top += 5)
+      for (int left = 0; left + 16 <= 80; left += 7) {
+        double sum = 0.0;
+        for (int y = top; y < top + 16; ++y)
+          for (int x = left; x < left + 16; ++x) sum += *picture.texel(x, y);
+        EXPECT_NEAR(sum / 256.0, exact, 0.03) << left << " " << top;
+      }
+  }
+}
+
+TEST(Dither, ClipsWhatIsOutsideAndLeavesAlpha) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Image light(64, 1, 4, 0.5f);
+  for (int x = 0; x < 64; ++x) {
+    light.texel(x, 0)[0] = x % 2 == 0 ? std::numeric_limits<float>::quiet_NaN() : -kInfinity;
+    light.texel(x, 0)[1] = x % 2 == 0 ? 1.5f : kInfinity;
+  }
+  const Image8 picture = pictureFromLinear(light, 4, Dither::pattern);
+  for (int x = 0; x < 64; ++x) {
+    EXPECT_EQ(picture.texel(x, 0)[0], 0);
+    EXPECT_EQ(picture.texel(x, 0)[1], 255);
+    EXPECT_EQ(picture.texel(x, 0)[3], 128);
+  }
 }
 
 TEST(Srgb, SixteenBitsKeepTheirPrecision) {

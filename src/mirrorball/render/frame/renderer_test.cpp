@@ -400,6 +400,32 @@ TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
   }
 }
 
+// A mirror and its surroundings in nearly even light: gradients of far less than one code from pixel to pixel.
+TEST_F(RendererTest, ADitheredPictureHasTheLightOfItsMean) {
+  Studio room(Environment([](glm::vec3 d) { return glm::vec3(0.21f + 0.01f * d.y); }, 8));
+  Shot shot = smallShot("sphere", "mirror");
+  shot.frame.samples = 1;
+  shot.frame.display.tone_map = ToneMap::linear;
+  shot.frame.resolve = Resolve::radiance;
+  const Image radiance = room.radiance(shot);
+  const auto worstMean = [&](Dither dither) {
+    shot.frame.display.dither = dither;
+    const Image8 picture = room.picture(shot);
+    float worst = 0.0f;
+    for (int top = 0; top + 8 <= picture.height(); top += 8)
+      for (int left = 0; left + 8 <= picture.width(); left += 8) {
+        float sum = 0.0f;
+        for (int y = top; y < top + 8; ++y)
+          for (int x = left; x < left + 8; ++x)
+            sum += *picture.texel(x, y) - 255.0f * formula::srgbFromLinear1(*radiance.texel(x, y));
+        worst = std::max(worst, std::abs(sum) / 64.0f);
+      }
+    return worst;
+  };
+  EXPECT_GT(worstMean(Dither::none), 0.4f);
+  EXPECT_LT(worstMean(Dither::pattern), 0.15f);
+}
+
 // Whatever the exposure and the curve, and where an edge covers half a pixel, half of its light.
 TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
   Studio room = smallStudio("studio");

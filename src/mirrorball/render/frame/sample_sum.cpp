@@ -92,7 +92,7 @@ glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
   return glm::vec3(texel);
 }
 
-void SampleSum::show() {
+void SampleSum::show(Dither dither) {
   gl::drawOverAll();
   result().color().bind(kFreeUnit);
   tone_map_.set("picture", kFreeUnit);
@@ -104,6 +104,7 @@ void SampleSum::show() {
   tone_map_.set("count", settings_.samples > 1 ? static_cast<float>(count_) : 1.0f);
   setDisplay(tone_map_, settings_);
   tone_map_.set("backdrop", backdropOf(settings_));
+  tone_map_.set("dithered_rows", dither == Dither::pattern ? settings_.size.y : 0);
   screen_.draw(3);
 }
 
@@ -125,7 +126,7 @@ Result<Image> SampleSum::displayedLight() {
   std::optional<gl::Framebuffer> encoded;
   MIRRORBALL_TRY_VOID(gl::resize(encoded, gl::Format::rgba32f, settings_.size));
   encoded->bind();
-  show();
+  show(Dither::none);
   Image light = encoded->readFloat();
   decodeColor(light, {.transfer = Transfer::srgb});
   return light;

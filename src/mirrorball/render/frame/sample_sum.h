@@ -34,8 +34,9 @@ class SampleSum {
   glm::vec3 lastRadiance(glm::ivec2 pixel) const;
   int count() const { return count_; }  ///< of the samples that were added
 
-  /// Tone maps the mean of the samples that there are into what is bound.
-  void show();
+  /// Tone maps the mean of the samples that there are into what is bound, of 8 bits unless it is not dithered.
+  void show(Dither dither);
+  void show() { show(settings_.display.dither); }
   /// The mean as linear radiance over its backdrop. Not of a frame whose mean is of a display's light.
   Image radiance() const;
   /// errors   as begin's

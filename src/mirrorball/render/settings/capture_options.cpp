@@ -10,8 +10,9 @@ namespace mirrorball {
 namespace {
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
-constexpr std::array<std::string_view, 10> kOptionsOfPictures{
-    "size", "sampling", "exposure", "tone-map", "resolve", "camera", "target", "fov", "orthographic", "stand"};
+constexpr std::array<std::string_view, 11> kOptionsOfPictures{"size",   "sampling",     "exposure", "tone-map",
+                                                              "dither", "resolve",      "camera",   "target",
+                                                              "fov",    "orthographic", "stand"};
 
 /// Choices without the last one.
 constexpr std::string_view allButLast(std::string_view choices) { return choices.substr(0, choices.rfind('|')); }

@@ -18,7 +18,7 @@ TEST(CaptureOptions, LeaveOutWhatIsOfPictures) {
   EXPECT_EQ(optionNamed(captureFrameOptions(), "camera"), nullptr);
   EXPECT_EQ(optionNamed(captureFrameOptions(), "size"), nullptr);
   EXPECT_NE(optionNamed(captureFrameOptions(), "proxy"), nullptr);
-  EXPECT_EQ(captureFrameOptions().size() + 10, frameOptions().size());
+  EXPECT_EQ(captureFrameOptions().size() + 11, frameOptions().size());
 }
 
 TEST(CaptureOptions, HaveAllMappingsButTheOneForOneViewingDirection) {

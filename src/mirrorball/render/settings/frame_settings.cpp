@@ -46,6 +46,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::resolve>},
     {exposureText(), numberField<&FrameSettings::display, &Display::exposure_ev>},
     {toneMapText(), choiceField<&FrameSettings::display, &Display::tone_map>},
+    {ditherText(), choiceField<&FrameSettings::display, &Display::dither>},
     {{.name = "background",
       .value = "env|blur|COLOR|transparent",
       .help = "what is shown behind the model; COLOR is #rrggbb, a colour that the picture shows unchanged (maps and "

@@ -88,7 +88,7 @@ struct FrameSettings {
 
   glm::ivec2 size{1280, 720};  ///< pixels
   CameraOptions camera = {};
-  Display display{.tone_map = ToneMap::neutral};
+  Display display{.tone_map = ToneMap::neutral, .dither = Dither::pattern};
   glm::vec3 env_rotation_deg{
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
   float env_intensity = 1.0f;

@@ -27,7 +27,8 @@ TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
   std::string defaults;
   for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
   EXPECT_EQ(defaults,
-            "1280x720 4 adaptive display 0 neutral env 30,15  35  0 1 no none  1 0 0 2 map exact 4 reflection fragment "
+            "1280x720 4 adaptive display 0 neutral pattern env 30,15  35  0 1 no none  1 0 0 2 map exact 4 reflection "
+            "fragment "
             "bump 64 "
             "single probes 4 channels 12  none no cube trilinear none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
   EXPECT_EQ(settings.display.exposure(), 1.0f);

@@ -40,7 +40,7 @@ struct MapViewSettings {
   int level = 1;                      ///< of MapLight::mip; past the last it is the last
   float perceptual_roughness = 0.5f;  ///< of MapLight::prefiltered
   int degree = 2;                     ///< highest band of MapLight::irradiance and harmonics, 0 … kMaxDegree
-  Display display{.tone_map = ToneMap::neutral};
+  Display display{.tone_map = ToneMap::neutral, .dither = Dither::pattern};
   bool false_colors = false;  ///< of the luminance, in place of the tone map
   float stops = 8.0f;         ///< above 0: how far false colours and the waveform reach from 1, after the exposure
   bool marks_bad = true;      ///< texels that are no light: FaultyTexels

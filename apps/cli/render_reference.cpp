@@ -158,7 +158,7 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
   StageClock clock;
   MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, frame, {&output, 1}, clock));
   MIRRORBALL_TRY_VOID(checkShown(frame, inputs.scene));
-  MIRRORBALL_TRY(camera, framedCamera(inputs.scene, boundingSphere(inputs.scene), frame.camera, frame.size));
+  MIRRORBALL_TRY(camera, framedCamera(inputs.scene, boundingSphere(inputs.scene), inputs.frame.camera, frame.size));
   MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
   const auto first_pass = std::size_t(frame.size.x) * std::size_t(frame.size.y);
   MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {

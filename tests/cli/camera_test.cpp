@@ -78,6 +78,36 @@ TEST_F(CameraCliTest, TheDefaultDistanceFramesTheModel) {
   }
 }
 
+// The sun goes once round the model, 15° above the horizon; at noon the camera is as near as without it.
+TEST_F(CameraCliTest, TheFramingOfAModelThatStandsHoldsItsShadow) {
+  const auto drawn = [&](const std::string& sky) {
+    succeed("render teapot -e " + sky + " --stand --background transparent --samples 4 -o stands.exr --size 128x72");
+    const Image picture = image("stands.exr");
+    struct {
+      float at_edge = 0.0f;
+      int shaded = 0;
+      int solid = 0;
+    } found;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const bool on_edge = x == 0 || y == 0 || x == picture.width() - 1 || y == picture.height() - 1;
+        const float alpha = rgbaAt(picture, x, y).w;
+        if (on_edge) found.at_edge = std::max(found.at_edge, alpha);
+        found.shaded += alpha > 0.3f && alpha < 0.99f;
+        found.solid += alpha > 0.99f;
+      }
+    return found;
+  };
+  const auto noon = drawn("sky:elevation=80");
+  for (const char* turn : {"0", "70", "140", "210", "280"}) {
+    const auto low = drawn(std::string("sky:elevation=15 --env-rotation ") + turn);
+    EXPECT_LT(low.at_edge, 0.15f) << turn;
+    EXPECT_GT(low.shaded, 100) << turn;
+    EXPECT_GT(low.solid, noon.solid / 8) << turn;
+  }
+  EXPECT_NEAR(noon.solid, drawn("white").solid, noon.solid / 50);
+}
+
 // A plane that lies in x and y stands upright when z is up.
 TEST_F(CameraCliTest, UpSaysWhichAxisOfTheModelPointsUpwards) {
   const auto covered = [&](const std::string& up) {

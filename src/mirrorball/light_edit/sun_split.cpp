@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
@@ -39,11 +40,12 @@ bool isBrightEnough(const EnvironmentMap& map, glm::vec3 all) {
   return brightest * widest_sr > kStrong * formula::luminance(all);
 }
 
-bool hasStrongSunIn(const EnvironmentMap& map) {
+std::optional<glm::vec3> strongSunIn(const EnvironmentMap& map) {
   const glm::vec3 all = wholeLight(map);
-  if (!isBrightEnough(map, all)) return false;
+  if (!isBrightEnough(map, all)) return std::nullopt;
   const std::vector<MapLamp> suns = sunsOf(map, all);
-  return !suns.empty() && suns.front().share > kStrong;
+  if (suns.empty() || suns.front().share <= kStrong) return std::nullopt;
+  return suns.front().direction;
 }
 
 /// How many rows a panorama must have to show a disc.
@@ -79,14 +81,19 @@ Environment withSuns(SunlessEnvironment split) {
       rows);
 }
 
-Result<bool> hasStrongSun(const Environment& environment) {
+Result<std::optional<glm::vec3>> strongSun(const Environment& environment) {
   const EnvironmentMap* map = environment.map();
   if (map != nullptr && (map->projection() == Projection::equirect || map->projection() == Projection::cube))
-    return hasStrongSunIn(*map);
+    return strongSunIn(*map);
   constexpr int kRows = 256;
   MIRRORBALL_TRY(coarse, convert(environment, Projection::equirect,
                                  std::min(environment.naturalSize(Projection::equirect), kRows)));
-  return hasStrongSunIn(coarse);
+  return strongSunIn(coarse);
+}
+
+Result<bool> hasStrongSun(const Environment& environment) {
+  MIRRORBALL_TRY(sun, strongSun(environment));
+  return sun.has_value();
 }
 
 }  // namespace mirrorball

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "formula/sun.h"
 #include "mirrorball/base/result.h"
@@ -29,11 +32,15 @@ Result<SunlessEnvironment> withoutSuns(const Environment& environment);
 /// cost     of a direction that of the rest's
 Environment withSuns(SunlessEnvironment split);
 
-/// Whether a sun has more than a fifth of an environment's light, so that its shadows are seen.
+/// Towards a sun that has more than a fifth of an environment's light, so that its shadows are seen: of the environment,
+/// unit. Nothing: there is none.
 ///
 /// environment, errors   as withoutSuns'
 /// cost                  as wholeLight's, and where something is bright enough, findLamps'; of what is no panorama and
 ///                       no cube, a panorama of 256 rows, too
+Result<std::optional<glm::vec3>> strongSun(const Environment& environment);
+
+/// Whether there is one; as strongSun.
 Result<bool> hasStrongSun(const Environment& environment);
 
 }  // namespace mirrorball

@@ -91,5 +91,15 @@ TEST(SunSplit, StrongIsASmallLampWithAFifthOfTheLight) {
   EXPECT_FALSE(isStrong(4.0f, 0.5f)) << "a window is no sun";
 }
 
+TEST(SunSplit, AStrongSunHasItsDirection) {
+  const glm::vec3 direction = glm::normalize(glm::vec3(0.3f, 0.25f, -0.9f));
+  const MadeSun unit{direction, 1.0f, glm::vec3(1.0f)};
+  const auto sun = strongSun(skyWith({{direction, 1.0f, glm::vec3(6.0f / unit.solidAngle_sr())}}));
+  ASSERT_TRUE(sun);
+  ASSERT_TRUE(sun->has_value());
+  EXPECT_GT(glm::dot(**sun, direction), std::cos(glm::radians(1.0f)));
+  EXPECT_FALSE(strongSun(skyWith({}))->has_value());
+}
+
 }  // namespace
 }  // namespace mirrorball

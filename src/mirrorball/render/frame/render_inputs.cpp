@@ -64,28 +64,31 @@ Result<LoadedEnvironment> loadShownLight(const RenderInputNames& names, const Ob
 struct PreparedLight {
   LoadedEnvironment loaded;
   PreparedEnvironment prepared;
+  std::optional<glm::vec3> strong_sun;
 };
 
-/// Whether it is asked for, and there.
-Result<bool> findStrongSun(const RenderInputNames& names, const Environment& environment) {
-  if (!names.wishes || !dependsOnSun(names.wishes->quality, names.wishes->given, names.frame)) return false;
-  return hasStrongSun(environment);
+/// The strong sun, where it is asked for and there.
+Result<std::optional<glm::vec3>> findStrongSun(const RenderInputNames& names, const Environment& environment) {
+  const bool chooses = names.wishes && dependsOnSun(names.wishes->quality, names.wishes->given, names.frame);
+  if (!chooses && names.frame.camera.ground_reach <= 0.0f) return std::optional<glm::vec3>();
+  return strongSun(environment);
 }
 
 /// strong_sun   is told whether the environment has one
 Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer& observer,
                                    std::promise<bool> strong_sun) {
   auto loaded = loadLight(names, observer);
-  const auto found = loaded ? findStrongSun(names, loaded->environment) : Result<bool>(false);
-  strong_sun.set_value(found.value_or(false));
+  auto found = loaded ? findStrongSun(names, loaded->environment) : Result<std::optional<glm::vec3>>();
+  const bool has_strong_sun = found && found->has_value();
+  strong_sun.set_value(has_strong_sun);
   if (!loaded) return fail(std::move(loaded));
-  MIRRORBALL_TRY(has_strong_sun, found);
+  MIRRORBALL_TRY(sun, std::move(found));
   FrameSettings frame = names.frame;
   if (names.wishes) fillIn(names.wishes->quality, {.has_strong_sun = has_strong_sun}, names.wishes->given, frame);
   MIRRORBALL_TRY(prepared, observer.timed("environment: cube, mips, prefiltering", [&] {
     return prepareEnvironment(loaded->environment, names.cache, {}, frame.sunShown());
   }));
-  return PreparedLight{std::move(*loaded), std::move(prepared)};
+  return PreparedLight{std::move(*loaded), std::move(prepared), sun};
 }
 
 /// A model, and how it is drawn.
@@ -112,12 +115,16 @@ std::future<Result<PreparedModel>> modelLater(const RenderInputNames& names, con
   });
 }
 
-SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment light, const Observer& observer) {
+/// sun   strongSun() of the light, if the frame's camera is to hold its shadow
+SceneInputs inputsOf(const std::string& model, PreparedModel prepared, LoadedEnvironment light,
+                     std::optional<glm::vec3> sun, const Observer& observer) {
+  Scene& scene = prepared.scene;
   for (const std::string& warning : scene.warnings) observer.tell(RemarkKind::model_reduced, warning);
   for (const std::string& line : openBodies(scene)) observer.tell(RemarkKind::body_open, model + ": " + line);
   std::vector<std::string> files = std::move(light.files);
   files.insert(files.end(), scene.files.begin(), scene.files.end());
-  return {std::move(scene), std::move(light.environment), std::move(files)};
+  holdShadow(prepared.frame, sun);
+  return {std::move(scene), std::move(light.environment), std::move(files), std::move(prepared.frame)};
 }
 
 }  // namespace
@@ -131,7 +138,8 @@ Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observe
   auto model = model_later.get();
   if (!model) return fail(std::move(model));
   if (!light) return fail(std::move(light));
-  return inputsOf(names.model, std::move(model->scene), std::move(*light), observer);
+  MIRRORBALL_TRY(sun, findStrongSun(names, light->environment));
+  return inputsOf(names.model, std::move(*model), std::move(*light), sun, observer);
 }
 
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
@@ -152,9 +160,9 @@ Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Obser
   if (!model) return fail(std::move(model));
   if (!light) return fail(std::move(light));
   if (!context) return fail(std::move(context));
-  return RenderInputs{inputsOf(names.model, std::move(model->scene), std::move(light->loaded), observer),
-                      std::move(light->prepared), std::move(*context), std::move(model->frame),
-                      std::move(model->chosen)};
+  std::string chosen = std::move(model->chosen);
+  return RenderInputs{inputsOf(names.model, std::move(*model), std::move(light->loaded), light->strong_sun, observer),
+                      std::move(light->prepared), std::move(*context), std::move(chosen)};
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs) {

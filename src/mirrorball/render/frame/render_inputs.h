@@ -40,14 +40,14 @@ struct SceneInputs {
   Scene scene;
   Environment environment;
   std::vector<std::string> files;  ///< that were read
+  FrameSettings frame = {};        ///< whose camera holds the shadow on the ground; drawn pictures': filled in
 };
 
 /// That, and what draws it.
 struct RenderInputs : SceneInputs {
   PreparedEnvironment prepared;
-  gl::Context context;       ///< without a window, current
-  FrameSettings frame = {};  ///< filled in
-  std::string chosen = {};   ///< what was filled in, as chooseTechniques tells it
+  gl::Context context;      ///< without a window, current
+  std::string chosen = {};  ///< what was filled in, as chooseTechniques tells it
 };
 
 /// Prepares a model that was loaded, or a pose of one: its axis up, its materials as told, and for a kind of relief.

@@ -125,7 +125,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      &FrameSettings::env_intensity},
     {{.name = "stand",
       .help = "stand the model on the floor that the panorama shows: the same as {option:proxy} ground, and a camera "
-              "that also holds the floor beside it, half a radius wide, with what falls there of its shadow. With "
+              "that also holds the floor beside it, half a radius wide, and the shadow that a sun throws, up to four "
+              "radii from the model's middle, where it fades out. With "
               "{option:background} transparent the shadow is all that is left of the floor",
       .group = "Environment",
       .is_daily = true},
@@ -360,6 +361,11 @@ void standOnGround(FrameSettings& settings) {
   if (!settings.stands) return;
   if (settings.proxy.kind == ProxyKind::none) settings.proxy.kind = ProxyKind::ground;
   settings.camera.ground_reach = kReach;
+}
+
+void holdShadow(FrameSettings& settings, std::optional<glm::vec3> sun) {
+  const bool is_shown = settings.camera.ground_reach > 0.0f && sun.has_value();
+  settings.camera.ground_light = is_shown ? *sun * settings.environmentFromWorld() : glm::vec3(0.0f);
 }
 
 int lobesOf(const FrameSettings& settings) {

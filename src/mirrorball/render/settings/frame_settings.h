@@ -144,6 +144,11 @@ struct FrameSettings {
 /// too.
 void standOnGround(FrameSettings& settings);
 
+/// Lets the camera of a model that stands hold its shadow too (CameraOptions::ground_light), which a sun throws.
+///
+/// sun   towards it, in the environment (strongSun()); nothing: soft shadows lie beside the model's foot
+void holdShadow(FrameSettings& settings, std::optional<glm::vec3> sun);
+
 /// How many lobes make up what a rough surface reflects: of prefiltered light as many as the settings say, else one.
 int lobesOf(const FrameSettings& settings);
 

@@ -19,6 +19,8 @@ struct CameraOptions {
   float fov_deg = 35.0f;                 ///< vertical field of view
   /// How far around the model's foot a framing holds the ground too, in model radii. 0: it does not.
   float ground_reach = 0.0f;
+  /// Towards the light whose shadow on that ground a framing holds too: world, unit. 0, or not above: there is none.
+  glm::vec3 ground_light{0.0f};
   /// Of the view, in model radii; turns perspective off. 0: as without a distance.
   std::optional<float> orthographic_height = {};
 

@@ -32,22 +32,48 @@ struct Reach {
   }
 };
 
-/// A circle on the ground below the scene, so far beyond its box.
-///
-/// reach   in radii of the scene
-std::vector<glm::dvec3> groundAround(const Scene& scene, float reach) {
-  const Box box = boundingBox(scene);
-  if (box.isEmpty()) return {};
-  const glm::dvec3 low(box.low), high(box.high), middle = 0.5 * (low + high);
-  const double radius =
-      0.5 * std::hypot(high.x - low.x, high.z - low.z) + 0.5 * double(reach) * glm::distance(low, high);
+/// A circle on the ground about the middle of a box.
+void addCircle(const Box& box, double radius, std::vector<glm::dvec3>& places) {
+  const glm::dvec3 low(box.low), middle = 0.5 * (low + glm::dvec3(box.high));
   constexpr int kPlaces = 32;
-  std::vector<glm::dvec3> places;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2.0 * glm::pi<double>() * i / kPlaces;
     places.emplace_back(middle.x + radius * std::sin(angle), low.y, middle.z + radius * std::cos(angle));
   }
+}
+
+/// Where the corners of a box throw their shadows on the ground, at most kShadowReach radii from the middle of its
+/// foot.
+std::vector<glm::dvec3> shadowOf(const Box& box, glm::dvec3 towards_light) {
+  const glm::dvec3 low(box.low), high(box.high);
+  const glm::dvec2 middle(0.5 * (low.x + high.x), 0.5 * (low.z + high.z));
+  const double most = 0.5 * double(kShadowReach) * glm::distance(low, high);
+  std::vector<glm::dvec3> places;
+  for (int corner = 0; corner < 4; ++corner) {
+    const glm::dvec2 foot((corner & 1) == 0 ? low.x : high.x, (corner & 2) == 0 ? low.z : high.z);
+    const glm::dvec2 along =
+        foot - middle - glm::dvec2(towards_light.x, towards_light.z) / towards_light.y * (high.y - low.y);
+    const glm::dvec2 place = middle + along * std::min(1.0, most / std::max(glm::length(along), 1e-30));
+    places.emplace_back(place.x, low.y, place.y);
+  }
   return places;
+}
+
+/// Places on the ground below a scene that a camera is to hold.
+std::vector<glm::dvec3> groundAround(const Scene& scene, const CameraOptions& options, FramingOf what) {
+  const Box box = boundingBox(scene);
+  if (box.isEmpty()) return {};
+  const glm::dvec3 low(box.low), high(box.high), middle = 0.5 * (low + high);
+  std::vector<glm::dvec3> shadow;
+  if (options.ground_light.y > 0.0f) shadow = shadowOf(box, glm::dvec3(options.ground_light));
+  double radius =
+      0.5 * std::hypot(high.x - low.x, high.z - low.z) + 0.5 * double(options.ground_reach) * glm::distance(low, high);
+  if (what == FramingOf::turned_light) {
+    for (const glm::dvec3& place : std::exchange(shadow, {}))
+      radius = std::max(radius, std::hypot(place.x - middle.x, place.z - middle.z));
+  }
+  addCircle(box, radius, shadow);
+  return shadow;
 }
 
 /// The model as seen along a direction: x to the right, y up, z towards the camera, from the target.
@@ -63,7 +89,7 @@ class View {
     // Turned about the upright axis, the camera stands over +Z; for a whole turn its azimuth does not matter.
     const double azimuth = glm::radians(double(options.azimuth_deg));
     turned_ = glm::rotate(glm::dmat4(1.0), -azimuth, glm::dvec3(0, 1, 0)) * glm::translate(glm::dmat4(1.0), -target);
-    if (options.ground_reach > 0.0f) ground_ = groundAround(scene, options.ground_reach);
+    if (options.ground_reach > 0.0f) ground_ = groundAround(scene, options, what);
   }
 
   /// Towards one side of the picture and the other, 0 right and left, 1 up and down: the greatest of

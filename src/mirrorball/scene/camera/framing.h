@@ -9,13 +9,17 @@
 
 namespace mirrorball {
 
-/// What a framing has to hold: the model as it stands, or the model turned by any angle about the upright axis through
-/// the target, as a turntable shows it.
-enum class FramingOf { still, whole_turn };
+/// What a framing has to hold: the model as it stands; or the model turned by any angle about the upright axis through
+/// the target, as a turntable shows it; or the model as it stands while the light goes round, and with it the shadow.
+enum class FramingOf { still, whole_turn, turned_light };
+
+/// How far from the middle of a model's foot a framing holds its shadow, in model radii: there the shadow on the ground
+/// has faded out (GroundShadow::kModelRadii), and a sun at the horizon does not make the model a dot.
+constexpr float kShadowReach = 4.0f;
 
 /// Puts a camera where the model fills the picture: its projection touches a border 1/32 of the picture's side inside
 /// of two opposite edges at least, and lies in the middle; so does the ground around its foot as far as the options
-/// say. Direction and angle of view are the options' own; so is the target, which is in the middle of the picture then.
+/// say, with the shadow that falls there. Direction and angle of view are the options' own; so is the target, which is in the middle of the picture then.
 ///
 /// A point (x, y, z) in the frame of the camera's axes, z towards the camera, is seen right of nothing but the border's
 /// slope t if x − cx ≤ t (cz − z). So a camera at c sees all points if cx + t cz ≥ max(x + t z), and likewise on the

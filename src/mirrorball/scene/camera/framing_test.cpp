@@ -128,6 +128,80 @@ TEST(Framed, AWholeTurnHasOneFraming) {
     }
 }
 
+/// Where the scene's points throw their shadows on the ground below it, in the
+/// picture of a camera.
+Outline shadowIn(const Camera& camera, const Scene& scene, glm::dvec3 towards_light) {
+  const glm::dmat4 clip_from_world = glm::dmat4(camera.clip_from_view) * glm::dmat4(camera.view_from_world);
+  const double ground = double(boundingBox(scene).low.y);
+  Outline outline;
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
+    position -= towards_light * ((position.y - ground) / towards_light.y);
+    const glm::dvec4 clip = clip_from_world * glm::dvec4(position, 1.0);
+    outline.min = glm::min(outline.min, glm::dvec2(clip) / clip.w);
+    outline.max = glm::max(outline.max, glm::dvec2(clip) / clip.w);
+  });
+  return outline;
+}
+
+glm::vec3 lightAt(float azimuth_deg, float elevation_deg) {
+  const float a = glm::radians(azimuth_deg), e = glm::radians(elevation_deg);
+  return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+TEST(Framed, ALowSunsShadowIsInThePicture) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  for (const float aspect : {0.5f, 1.0f, 1.78f})
+    for (int azimuth = 0; azimuth < 360; azimuth += 30) {
+      CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(float(azimuth), 20.0f)};
+      const glm::dvec3 light(options.ground_light);
+      const Camera camera = makeCamera(framed(scene, bounds, options, aspect), bounds, aspect);
+      EXPECT_LE(shadowIn(camera, scene, light).halfExtent(), 0.9376) << azimuth;
+      options.ground_light = glm::vec3(0.0f);
+      const Camera without = makeCamera(framed(scene, bounds, options, aspect), bounds, aspect);
+      if (azimuth % 180 == 120) EXPECT_GT(shadowIn(without, scene, light).halfExtent(), 1.0) << "from the side";
+    }
+}
+
+TEST(Framed, AHighSunOrOneBelowChangesNothing) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  const CameraOptions without{.ground_reach = 0.5f};
+  for (const float elevation : {90.0f, 75.0f, 0.0f, -20.0f}) {
+    CameraOptions options = without;
+    options.ground_light = lightAt(100.0f, elevation);
+    EXPECT_EQ(framed(scene, bounds, options, 1.5f).distance, framed(scene, bounds, without, 1.5f).distance);
+    EXPECT_EQ(framed(scene, bounds, options, 1.5f).target, framed(scene, bounds, without, 1.5f).target);
+  }
+}
+
+TEST(Framed, ASunAtTheHorizonDoesNotMakeTheModelADot) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  const float without = *framed(scene, bounds, {.ground_reach = 0.5f}, 1.5f).distance;
+  for (const float elevation : {5.0f, 1.0f, 1e-3f, 1e-30f}) {
+    const CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(120.0f, elevation)};
+    const float distance = *framed(scene, bounds, options, 1.5f).distance;
+    EXPECT_GT(distance, 1.2f * without) << elevation;
+    EXPECT_LT(distance, 3.0f * without) << elevation;
+  }
+}
+
+// As in turntables of the camera and of the environment.
+TEST(Framed, AShadowStaysInThePictureOfAWholeTurn) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  const CameraOptions wished{.ground_reach = 0.5f, .ground_light = lightAt(70.0f, 25.0f)};
+  CameraOptions turned = framed(scene, bounds, wished, 1.5f, FramingOf::whole_turn);
+  const CameraOptions standing = framed(scene, bounds, wished, 1.5f, FramingOf::turned_light);
+  for (int degree = 0; degree < 360; degree += 15) {
+    turned.azimuth_deg = float(degree);
+    EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, wished.ground_light).halfExtent(), 0.939) << degree;
+    EXPECT_LE(shadowIn(makeCamera(standing, bounds, 1.5f), scene, lightAt(float(degree), 25.0f)).halfExtent(), 0.939)
+        << degree;
+  }
+}
+
 TEST(Framed, WhatHasNoExtentIsStillBeforeTheCamera) {
   Mesh line;
   line.vertices.resize(3);

@@ -26,7 +26,7 @@ Result<void> LitStage::follow(ShownModel& model, const AskedMap& map, const std:
     remark_ = std::move(light->remark);
     const auto set = stage_.setEnvironment(std::move(light->environment), light->prepared);
     has_light_ = has_light_ || set;
-    if (set) has_strong_sun_ = light->has_strong_sun;
+    if (set) strong_sun_ = light->strong_sun;
     version_ = nextVersion();
     MIRRORBALL_TRY_VOID(tell(set, problem_of_light_));
   }

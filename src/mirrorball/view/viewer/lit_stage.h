@@ -36,8 +36,8 @@ class LitStage {
   const LoadingByName<LoadedLight, AskedMap>& loading() const { return light_; }
   /// Why it does not show what was asked for; empty: it does.
   const std::string& problem() const;
-  /// Whether the light that it shows has one (SceneTraits).
-  bool hasStrongSun() const { return has_strong_sun_; }
+  /// strongSun() of the light that it shows.
+  std::optional<glm::vec3> strongSun() const { return strong_sun_; }
   /// What is doubtful about the light that it shows: LoadedMap's.
   const std::string& remark() const { return remark_; }
 
@@ -46,7 +46,7 @@ class LitStage {
   LoadingByName<LoadedLight, AskedMap> light_;
   FileWatch watch_;
   bool has_light_ = false;
-  bool has_strong_sun_ = false;
+  std::optional<glm::vec3> strong_sun_;
   int model_version_ = 0;
   int version_ = 0;
   std::string problem_of_light_;

@@ -26,9 +26,9 @@ Result<LoadedLight> loadedLight(const AskedMap& source, const std::optional<Cach
   LoadedEnvironment& loaded = map.loaded;
   if (EnvironmentMap* images = loaded.environment.map()) raiseNegativeLight(*images);
   MIRRORBALL_TRY(prepared, prepareEnvironment(loaded.environment, cache, progress));
-  MIRRORBALL_TRY(has_strong_sun, hasStrongSun(loaded.environment));
+  MIRRORBALL_TRY(strong_sun, strongSun(loaded.environment));
   return LoadedLight{std::move(loaded.environment), std::move(prepared), std::move(loaded.files), std::move(map.remark),
-                     has_strong_sun};
+                     strong_sun};
 }
 
 }  // namespace mirrorball

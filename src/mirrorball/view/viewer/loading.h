@@ -34,9 +34,9 @@ Result<LoadedModel> loadedModel(const std::string& name, bool inside_only, const
 struct LoadedLight {
   Environment environment;
   PreparedEnvironment prepared;
-  std::vector<std::string> files;  ///< that were read
-  std::string remark = {};         ///< LoadedMap's
-  bool has_strong_sun = false;     ///< hasStrongSun() of it
+  std::vector<std::string> files;            ///< that were read
+  std::string remark = {};                   ///< LoadedMap's
+  std::optional<glm::vec3> strong_sun = {};  ///< strongSun() of it
 };
 
 /// errors   as loadMap's; interrupted

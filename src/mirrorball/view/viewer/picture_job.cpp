@@ -81,7 +81,7 @@ Result<void> trace(const Workspace& workspace, const PictureRequest& request, co
   MIRRORBALL_TRY(inputs, loadSceneInputs(names));
   MIRRORBALL_TRY_VOID(changeParameters(inputs.scene, workspace));
   MIRRORBALL_TRY(camera,
-                 framedCamera(inputs.scene, boundingSphere(inputs.scene), names.frame.camera, names.frame.size));
+                 framedCamera(inputs.scene, boundingSphere(inputs.scene), inputs.frame.camera, inputs.frame.size));
   MIRRORBALL_TRY(tracer, PathTracer::make(std::move(inputs.scene), std::move(inputs.environment), progress));
   TraceSettings settings;
   if (givenFrame(workspace, request.side).contains("samples")) settings.samples = names.frame.samples;

@@ -37,6 +37,7 @@ FrameSettings Viewer::State::movedFrame() const {
   FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
   frame.size = size_px;
   standOnGround(frame);
+  holdShadow(frame, stageOf(editedSide(now())).strongSun());
   return frame;
 }
 

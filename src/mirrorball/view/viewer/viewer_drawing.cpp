@@ -36,6 +36,7 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   frame.proxy.load.inside_only = options.inside_only;
   frame.size = size_px;
   standOnGround(frame);
+  holdShadow(frame, stageOf(side).strongSun());
   MIRRORBALL_TRY(still, player.standingStill(std::move(frame), stageOf(side).stage().bounds()));
   frame = std::move(still);
   WantedFrame wanted{.drawn = frame, .traced = frame};
@@ -43,7 +44,7 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   std::set<std::string_view> names;
   for (const auto& [name, texts] : given) names.insert(name);
   SceneTraits traits = model.traits();
-  traits.has_strong_sun = stageOf(side).hasStrongSun();
+  traits.has_strong_sun = stageOf(side).strongSun().has_value();
   wanted.chosen = fillIn(quality, traits, names, wanted.drawn);
   if (moves()) {
     wanted.drawn.size = drawn[side].movingSize(size_px);

@@ -191,12 +191,12 @@ TEST(Framed, ASunAtTheHorizonDoesNotMakeTheModelADot) {
 TEST(Framed, AShadowStaysInThePictureOfAWholeTurn) {
   const Scene scene = *loadModel("teapot");
   const BoundingSphere bounds = boundingSphere(scene);
-  const CameraOptions wished{.ground_reach = 0.5f, .ground_light = lightAt(70.0f, 25.0f)};
-  CameraOptions turned = framed(scene, bounds, wished, 1.5f, FramingOf::whole_turn);
-  const CameraOptions standing = framed(scene, bounds, wished, 1.5f, FramingOf::turned_light);
+  const CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(70.0f, 25.0f)};
+  CameraOptions turned = framed(scene, bounds, options, 1.5f, FramingOf::whole_turn);
+  const CameraOptions standing = framed(scene, bounds, options, 1.5f, FramingOf::turned_light);
   for (int degree = 0; degree < 360; degree += 15) {
     turned.azimuth_deg = float(degree);
-    EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, wished.ground_light).halfExtent(), 0.939) << degree;
+    EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, options.ground_light).halfExtent(), 0.939) << degree;
     EXPECT_LE(shadowIn(makeCamera(standing, bounds, 1.5f), scene, lightAt(float(degree), 25.0f)).halfExtent(), 0.939)
         << degree;
   }

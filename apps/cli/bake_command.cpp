@@ -16,6 +16,7 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
@@ -36,7 +37,8 @@ struct BakeOptions {
 const std::string kBakedHelp =
     "required: a folder for all maps and a manifest (with several environments, one folder in it for each), or a " +
     writtenExtensions(Holds::texture, " or ") +
-    " file for the specular mip chain only (-.ktx2 is standard output); with --for babylon, playcanvas and gltf also a "
+    " file for the specular mip chain only, or for the cube of --only (-.ktx2 is standard output); with --for babylon, "
+    "playcanvas and gltf also a "
     ".env, .png or .glb file";
 
 const Option<BakeOptions> kBakeOutput{
@@ -61,7 +63,7 @@ struct BakeRequest {
   std::string environment;
   BakeOptions options;
   BakedSetSettings settings;
-  GivenOptions given;
+  GivenOptions stated;
 };
 
 using OptionNames = std::span<const std::string_view>;
@@ -70,9 +72,9 @@ using OptionNames = std::span<const std::string_view>;
 ///
 /// why      what to say before and after the option's name
 /// errors   usage
-Result<void> refuseGiven(const GivenOptions& given, OptionNames names, const std::array<std::string, 2>& why) {
+Result<void> refuseGiven(const GivenOptions& stated, OptionNames names, const std::array<std::string, 2>& why) {
   for (const std::string_view name : names)
-    if (given.contains(name)) return fail(ErrorCode::usage, why[0] + "--" + std::string(name) + why[1]);
+    if (stated.contains(name)) return fail(ErrorCode::usage, why[0] + "--" + std::string(name) + why[1]);
   return {};
 }
 
@@ -87,47 +89,87 @@ constexpr std::array<std::string_view, 1> kOfSplit{"split"};
 constexpr std::array<std::string_view, 2> kOfLamps{"min-share", "max-size"};
 constexpr std::array<std::string_view, 2> kOfTextures{"format", "zstd"};
 
+/// Options that describe only some parts of a set.
+struct OptionsOfParts {
+  std::vector<std::string_view> names;
+  std::vector<BakedPart> parts;
+};
+
+std::span<const OptionsOfParts> optionsOfParts() {
+  using enum BakedPart;
+  static const std::vector<OptionsOfParts> rows{
+      {{"size", "levels", "mip-mapping"}, {specular}},
+      {{"distribution"}, {specular, brdf, lobe_rows}},
+      {{"irradiance-size"}, {irradiance}},
+      {{"sh-degree"}, {harmonics}},
+      {{"brdf-size", "brdf-channels", "brdf-axes", "brdf-extension"}, {brdf}},
+      {{"lobe-rows"}, {lobe_rows}},
+      {{"skybox", "skybox-size"}, {skybox}},
+      {{"as-seen", "flip", "face-order"}, {specular, irradiance, skybox}},
+      {{"extension", "format"}, {specular, irradiance, skybox, brdf}},
+      {{"zstd"}, {specular, irradiance, skybox, brdf, lobe_rows}},
+      {{"scale-light", "clamp-light", "rotate", "split", "min-share", "max-size"},
+       {specular, irradiance, skybox, harmonics}}};
+  return rows;
+}
+
+/// Refuses options that describe only parts that are not asked for.
+///
+/// errors   usage
+Result<void> refuseOfOtherParts(const BakeRequest& request) {
+  const std::vector<BakedPart>& only = request.settings.only;
+  if (only.empty()) return {};
+  for (const OptionsOfParts& row : optionsOfParts())
+    if (std::ranges::none_of(only, [&](BakedPart part) { return contains(row.parts, part); }))
+      MIRRORBALL_TRY_VOID(
+          refuseGiven(request.stated, row.names, {"", " describes what --only leaves out; leave it out"}));
+  return {};
+}
+
 /// Refuses options that a program's own files have no use for.
 ///
 /// errors   usage
 Result<void> refuseUnread(const BakeRequest& request, const EngineSet& set) {
-  const GivenOptions& given = request.given;
+  const GivenOptions& stated = request.stated;
   const std::array<std::string, 2> has_no_use{"", ": " + std::string(set.needs_no_others) + "; leave it out"};
-  if (set.files != SetFiles::ours) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfOurMaps, has_no_use));
-  if (!set.hasLobeRows()) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfLobeRows, has_no_use));
-  if (!set.has_irradiance_cube) MIRRORBALL_TRY_VOID(refuseGiven(given, kOfIrradiance, has_no_use));
+  if (set.files != SetFiles::ours) MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfOurMaps, has_no_use));
+  if (!set.hasLobeRows()) MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfLobeRows, has_no_use));
+  if (!set.has_irradiance_cube) MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfIrradiance, has_no_use));
   if (set.files != SetFiles::packed) return {};
-  MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSkybox, has_no_use));
+  MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfSkybox, has_no_use));
   const std::string packed = "." + std::string(set.extension);
   const std::string written = packed + (set.beside.empty() ? "" : " and ." + std::string(set.beside));
   MIRRORBALL_TRY_VOID(refuseGiven(
-      given, kOfNames, {"", ": {option:for} " + std::string(set.program) + " writes " + written + "; leave it out"}));
+      stated, kOfNames, {"", ": {option:for} " + std::string(set.program) + " writes " + written + "; leave it out"}));
   if (!set.beside.empty() && !isOneFile(request.options.output)) return {};
-  return refuseGiven(given, kOfTextures, {"", " is for textures, and " + packed + " is none; leave it out"});
+  return refuseGiven(stated, kOfTextures, {"", " is for textures, and " + packed + " is none; leave it out"});
 }
 
 /// Refuses options of maps that the output has no place for.
 ///
 /// errors   usage
 Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
-  const GivenOptions& given = request.given;
+  const GivenOptions& stated = request.stated;
   const std::string& output = request.options.output;
+  MIRRORBALL_TRY_VOID(refuseOfOtherParts(request));
   MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program, request.settings.mip_mapping));
   const bool is_texture = isOneFile(output) && isTexturePath(output);
   if (!is_texture) MIRRORBALL_TRY_VOID(refuseUnread(request, set));
   if (isOneFile(output)) {
-    const std::string what = is_texture ? ": holds the specular chain only" : ": is one file with all in it";
+    const std::string only = request.settings.only.empty() ? "the specular chain" : "the cube of --only";
+    const std::string what = is_texture ? ": holds " + only + " only" : ": is one file with all in it";
     const std::array<std::string, 2> why{output + what + ", and ",
                                          " is for what lies beside it; name a folder, without an extension"};
-    if (is_texture)
-      for (const OptionNames names : {OptionNames(kOfOurMaps), OptionNames(kOfLobeRows), OptionNames(kOfIrradiance),
-                                      OptionNames(kOfSkybox), OptionNames(kOfNames)})
-        MIRRORBALL_TRY_VOID(refuseGiven(given, names, why));
-    MIRRORBALL_TRY_VOID(refuseGiven(given, kOfSplit, why));
-    return refuseGiven(given, kOfLamps, why);
+    if (is_texture && request.settings.only.empty())
+      for (const OptionNames names :
+           {OptionNames(kOfOurMaps), OptionNames(kOfLobeRows), OptionNames(kOfIrradiance), OptionNames(kOfSkybox)})
+        MIRRORBALL_TRY_VOID(refuseGiven(stated, names, why));
+    if (is_texture) MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfNames, why));
+    MIRRORBALL_TRY_VOID(refuseGiven(stated, kOfSplit, why));
+    return refuseGiven(stated, kOfLamps, why);
   }
   if (request.settings.split) return {};
-  return refuseGiven(given, kOfLamps, {"", " says which lamps are taken out of the maps; add --split"});
+  return refuseGiven(stated, kOfLamps, {"", " says which lamps are taken out of the maps; add --split"});
 }
 
 /// terminalObserver, which also says what an interruption leaves in a folder that was there before.
@@ -229,7 +271,8 @@ Command bakeCommand() {
       .about =
           "ENV is a map, a built-in environment, or - for standard input. OUT is a folder for all maps (with several "
           "environments, one folder in it for each), or a " +
-          writtenExtensions(Holds::texture, " or ") + " file for the specular mip chain only.",
+          writtenExtensions(Holds::texture, " or ") +
+          " file for the specular mip chain only, or for the cube that --only names.",
       .examples = {{"bake room.hdr -o room/", "all maps of an environment, and a manifest that says what is what"},
                    {"bake maps/*.hdr --for unreal --size 512 -o baked/",
                     "a folder for each panorama, with Unreal's faces and levels"}}};
@@ -244,14 +287,14 @@ Command bakeCommand() {
   BakeRequest& bake = request->bake;
   bake.settings.made_by = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
   addOptions(command, std::span(&kBakeOutput, 1), bake.options);
-  addOptions(command, bakedSetOptions(), bake.settings, &bake.given);
+  addOptions(command, bakedSetOptions(), bake.settings, &bake.stated);
   static const std::vector<Option<LampSettings>> of_lamps =
       rowsNamed(lampOptions(), std::array<std::string_view, 2>{"min-share", "max-size"});
-  addOptions(command, of_lamps, bake.settings.lamps, &bake.given);
+  addOptions(command, of_lamps, bake.settings.lamps, &bake.stated);
   addOptions(command, std::span(kBakeOptions).first(1), bake.options);
-  addOptions(command, std::span(&kBakeRotate, 1), bake.settings);
+  addOptions(command, std::span(&kBakeRotate, 1), bake.settings, &bake.stated);
   addOptions(command, std::span(kBakeOptions).subspan(1), bake.options);
-  addOptions(command, textureFileOptions(), bake.settings.file, &bake.given);
+  addOptions(command, textureFileOptions(), bake.settings.file, &bake.stated);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->bake.options.output,
                                [&] { return bakeInputs(request->inputs, request->bake); });

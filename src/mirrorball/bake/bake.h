@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// Which maps are made from an environment, and how.
 struct BakeSettings {
-  int size = 256;  ///< side of a face in level 0 of the specular mip chain, at least 1
+  int size = 256;  ///< side of a face in level 0 of the specular mip chain; 0: not made
   int levels = 0;  ///< number of mip levels, level 0 included, at most maxLevels(size); 0: down to 4 × 4 texels
   Distribution distribution = Distribution::ggx;
   MipMapping mip_mapping = MipMapping::filament;
@@ -27,8 +27,8 @@ struct BakeSettings {
 /// The maps of an environment that an engine needs for image-based lighting. (The BRDF table does not depend on an
 /// environment: it is made by brdf/brdf_table.h.)
 struct BakedMaps {
-  std::vector<PrefilterLevel> levels;  ///< of the specular mip chain
-  ImageSet specular;                   ///< a cube with these levels, three channels of radiance
+  std::vector<PrefilterLevel> levels;  ///< of the specular mip chain; none where it is not made
+  ImageSet specular = {};              ///< a cube with these levels, three channels of radiance
   EnvironmentMap irradiance = {};      ///< a cube, divided by π
   EnvironmentMap skybox = {};          ///< the environment as it is, a cube
   Harmonics radiance = {};             ///< irradiance is irradianceOf(radiance)

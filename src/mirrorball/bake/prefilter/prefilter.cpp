@@ -159,7 +159,7 @@ std::uint64_t cubeBytes(int size) { return std::uint64_t(size) * std::uint64_t(s
 std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,
                               const Lobe& lobe, int size) {
   std::vector<Lobe> lobes = lobesOf(levels);
-  if (size > 0) lobes.push_back(lobe);
+  lobes.push_back(lobe);
   const LightHarmonics::Memory light = LightHarmonics::memoryFor(environment, lobes);
   std::uint64_t max = environment.bytes() + light.peak;
   std::uint64_t cubes = 0;

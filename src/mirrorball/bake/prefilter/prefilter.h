@@ -87,7 +87,7 @@ std::uint64_t cubeBytes(int size);
 /// The maximum memory [bytes] of LightHarmonics::make, then the second prefilter, then cubeOf for one more lobe: the
 /// environment, their results and their temporary data.
 ///
-/// size     of that lobe's cube; 0: none is made
+/// size     of that lobe's cube; 0: none is made, but the light is analysed for it
 std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,
                               const Lobe& lobe, int size);
 

@@ -54,14 +54,19 @@ BrdfFile brdfFile(const std::string& stem, std::string_view extension, const Bak
 /// The lobes of a set's rows; 0: it has none.
 ///
 /// errors   usage: no such rows are known
-Result<int> lobesOf(const BakedSetSettings& settings) {
+Result<int> settledLobes(const BakedSetSettings& settings) {
   const bool is_ggx = settings.distribution == Distribution::ggx;
-  const int lobes = settings.lobe_rows.value_or(is_ggx ? BakedSetSettings::kUsualLobes : 0);
+  const bool is_asked_for = contains(settings.only, BakedPart::lobe_rows);
+  const int lobes = settings.lobe_rows.value_or(is_ggx || is_asked_for ? BakedSetSettings::kUsualLobes : 0);
   if (lobes != 0 && lobes != 2 && lobes != 4 && lobes != 6)
     return fail(ErrorCode::usage, "rows have 2, 4 or 6 lobes, or 0 for no such table, not " + std::to_string(lobes));
   if (lobes > 0 && !is_ggx)
     return fail(ErrorCode::usage, "rows of lobes are known for ggx only, not for " +
                                       writtenSetting(settings, "distribution") + "; ask for none");
+  if (lobes == 0 && is_asked_for)
+    return fail(ErrorCode::usage,
+                "{option:only} asks for rows of lobes, and {option:lobe-rows} 0 for none of them; "
+                "leave one of the two out");
   return lobes;
 }
 
@@ -71,12 +76,36 @@ std::string nameOfFolder(const std::string& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-/// The files of irradiance and of the BRDF table, which a program may have none of.
-Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view extension, const Observer& observer,
-                         BakedFiles& files) {
+/// Refuses parts that a program's set does not consist of.
+///
+/// errors   usage
+Result<void> checkParts(const BakedSetSettings& settings, const EngineSet& set) {
+  if (settings.only.empty()) return {};
+  if (set.files == SetFiles::packed)
+    return fail(ErrorCode::usage, programNameOf(set) + " reads one ." + std::string(set.extension) +
+                                      " with all in it, which has no parts; leave {option:only} out, or leave out "
+                                      "{option:for} " +
+                                      std::string(set.program));
+  const auto refuse = [&](BakedPart part, bool is_there) -> Result<void> {
+    if (is_there || !contains(settings.only, part)) return {};
+    return fail(ErrorCode::usage, "{option:only} " + writtenSetting(settings, "only") + ": " +
+                                      std::string(set.needs_no_others) + "; leave out what it has no use for");
+  };
+  MIRRORBALL_TRY_VOID(refuse(BakedPart::irradiance, set.files == SetFiles::ours));
+  MIRRORBALL_TRY_VOID(refuse(BakedPart::brdf, set.files == SetFiles::ours));
+  MIRRORBALL_TRY_VOID(refuse(BakedPart::lobe_rows, set.hasLobeRows()));
+  return refuse(BakedPart::harmonics, set.hasHarmonics());
+}
+
+Result<void> addIrradiance(const BakedSetSettings& settings, std::string_view extension, const Observer& observer,
+                           BakedFiles& files) {
   MIRRORBALL_TRY(irradiance,
                  CubeFiles::resolve(settings.file, files.folder, {"irradiance", "i"}, extension, 1, observer));
   files.irradiance = std::move(irradiance);
+  return {};
+}
+
+Result<void> addBrdf(const BakedSetSettings& settings, std::string_view extension, BakedFiles& files) {
   const std::string_view usual = extension == "hdr" ? bakedBrdfExtensions().back() : extension;
   const std::string brdf = settings.brdf_extension.empty() ? std::string(usual) : settings.brdf_extension;
   MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, bakedBrdfExtensions()));
@@ -85,15 +114,40 @@ Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view exte
 }
 
 Result<void> addLobeRows(const BakedSetSettings& settings, BakedFiles& files) {
-  MIRRORBALL_TRY(lobes, lobesOf(settings));
+  MIRRORBALL_TRY(lobes, settledLobes(settings));
   const bool has_text = files.set.files == SetFiles::ours;
   if (lobes > 0) files.lobe_rows = LobeRowFiles{files.folder, lobes, settings.file.zstandard_level, has_text};
   return {};
 }
 
+bool wantsSkybox(const BakedSetSettings& settings, const EngineSet& set) {
+  if (!settings.only.empty()) return settings.makes(BakedPart::skybox);
+  return set.files == SetFiles::cmgens || settings.skybox || settings.skybox_size > 0;
+}
+
+/// One texture with the chain, or with the one cube that is asked for.
+///
+/// errors   usage: it has no place for what is asked for
+Result<BakedFiles> oneTexture(const std::string& output, const BakedSetSettings& settings, const EngineSet& set,
+                              const Observer& observer) {
+  const BakedPart part = settings.only.empty() ? BakedPart::specular : settings.only.front();
+  const bool is_cube = part == BakedPart::specular || part == BakedPart::irradiance || part == BakedPart::skybox;
+  if (!is_cube || settings.only.size() > 1)
+    return fail(ErrorCode::usage, output + ": one texture holds specular, irradiance or skybox, not " +
+                                      writtenSetting(settings, "only") + "; name a folder, without an extension");
+  MIRRORBALL_TRY(cube, CubeFiles::resolve(settings.file, output, observer));
+  BakedFiles files{.set = set};
+  std::optional<CubeFiles>& place = part == BakedPart::irradiance ? files.irradiance
+                                    : part == BakedPart::skybox   ? files.skybox
+                                                                  : files.specular;
+  place = std::move(cube);
+  return files;
+}
+
 Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettings& settings, const EngineSet& set,
                                  const Observer& observer) {
   const bool is_cmgens = set.files == SetFiles::cmgens;
+  MIRRORBALL_TRY_VOID(checkParts(settings, set));
   MIRRORBALL_TRY(extension, extensionFor(set, settings.extension));
   std::string folder = output;
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
@@ -105,20 +159,25 @@ Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettin
   const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
   BakedFiles files{.folder = folder, .set = set};
   if (is_packed) files.packed = folder + "/" + kPackedStem + "." + std::string(extension);
-  if (!is_packed || !set.beside.empty()) {
+  if ((!is_packed || !set.beside.empty()) && settings.makes(BakedPart::specular)) {
     const CubeNames chain{is_cmgens ? prefix + "ibl" : is_packed ? kPackedStem : "specular", "m", true};
     MIRRORBALL_TRY(specular, CubeFiles::resolve(settings.file, folder, chain, is_packed ? set.beside : extension,
                                                 settings.levels, observer));
     files.specular = std::move(specular);
   }
-  if (!is_packed && (is_cmgens || settings.skybox || settings.skybox_size > 0)) {
+  if (!is_packed && wantsSkybox(settings, set)) {
     MIRRORBALL_TRY(skybox,
                    CubeFiles::resolve(settings.file, folder, {prefix + "skybox", "skybox"}, extension, 1, observer));
     files.skybox = std::move(skybox);
   }
   if (settings.split) files.lamps = lampFilesFor(folder + "/" + kLampStem, settings.file.program);
-  if (set.files == SetFiles::ours) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
-  if (set.hasLobeRows()) MIRRORBALL_TRY_VOID(addLobeRows(settings, files));
+  const bool is_ours = set.files == SetFiles::ours;
+  if (is_ours && settings.makes(BakedPart::irradiance))
+    MIRRORBALL_TRY_VOID(addIrradiance(settings, extension, observer, files));
+  if (is_ours && settings.makes(BakedPart::brdf)) MIRRORBALL_TRY_VOID(addBrdf(settings, extension, files));
+  if (set.hasLobeRows() && settings.makes(BakedPart::lobe_rows)) MIRRORBALL_TRY_VOID(addLobeRows(settings, files));
+  if (set.hasHarmonics() && settings.makes(BakedPart::harmonics))
+    files.harmonics = is_ours ? std::vector<std::string>{"sh.json", "sh.h"} : std::vector<std::string>{"sh.txt"};
   return files;
 }
 
@@ -142,8 +201,10 @@ Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const Bak
 Result<BakedFiles> BakedFiles::resolve(const std::string& output, const BakedSetSettings& settings,
                                        const EngineSet& set, const Observer& observer) {
   if (!isOneFile(output)) return filesInFolder(output, settings, set, observer);
-  if (set.files == SetFiles::packed && extensionOf(output) == set.extension)
+  if (set.files == SetFiles::packed && extensionOf(output) == set.extension) {
+    MIRRORBALL_TRY_VOID(checkParts(settings, set));
     return BakedFiles{.set = set, .packed = output};
+  }
   if (!isTexturePath(output)) {
     const std::string_view reader = programOfPacked(extensionOf(output));
     return fail(ErrorCode::usage,
@@ -152,8 +213,7 @@ Result<BakedFiles> BakedFiles::resolve(const std::string& output, const BakedSet
                     (reader.empty() ? "" : "; ." + extensionOf(output) + " is {option:for} " + std::string(reader)) +
                     "; or name a folder, without an extension");
   }
-  MIRRORBALL_TRY(chain, CubeFiles::resolve(settings.file, output, observer));
-  return BakedFiles{.set = set, .specular = std::move(chain)};
+  return oneTexture(output, settings, set, observer);
 }
 
 std::vector<std::string> BakedFiles::paths() const {
@@ -161,17 +221,22 @@ std::vector<std::string> BakedFiles::paths() const {
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (!packed.empty()) add({packed});
   if (specular) add(specular->paths());
-  if (folder.empty()) return all;
   if (irradiance) add(irradiance->paths());
   if (skybox) add(skybox->paths());
+  if (folder.empty()) return all;
   if (brdf) add({brdf->path});
   add(lamps);
   if (lobe_rows) add({lobe_rows->texture()});
   if (lobe_rows && lobe_rows->has_text) add({lobe_rows->text()});
-  if (set.files == SetFiles::cmgens) add({folder + "/sh.txt"});
-  if (set.files == SetFiles::ours) add({folder + "/sh.json", folder + "/sh.h"});
+  for (const std::string& name : harmonics) add({folder + "/" + name});
   add({folder + "/manifest.json"});
   return all;
+}
+
+const CubeFiles* BakedFiles::anyCube() const {
+  for (const std::optional<CubeFiles>* const cube : {&specular, &irradiance, &skybox})
+    if (*cube) return &**cube;
+  return nullptr;
 }
 
 }  // namespace mirrorball

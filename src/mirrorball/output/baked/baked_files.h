@@ -33,7 +33,8 @@ struct BakedFiles {
   std::optional<CubeFiles> skybox = {};
   std::optional<BrdfFile> brdf = {};
   std::optional<LobeRowFiles> lobe_rows = {};
-  std::vector<std::string> lamps = {};  ///< writeLamps knows them by their endings
+  std::vector<std::string> harmonics = {};  ///< names in the folder: as `set` has them
+  std::vector<std::string> lamps = {};      ///< writeLamps knows them by their endings
 
   /// output, settings   as BakedSet::resolve's, levels and format settled
   /// errors             usage: no such folder can be, or no such files
@@ -42,6 +43,9 @@ struct BakedFiles {
 
   /// Of all that is written.
   std::vector<std::string> paths() const;
+
+  /// The first of the cubes that there are; nullptr: there are none.
+  const CubeFiles* anyCube() const;
 };
 
 /// The format of the cubes that the settings leave to the engine.

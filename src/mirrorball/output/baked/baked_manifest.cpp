@@ -166,21 +166,51 @@ bool isOurs(const fs::path& name) {
   return (is_level || cube == "i" || cube == "skybox") && (hasEnding(FaceNaming::px) || hasEnding(FaceNaming::signs));
 }
 
-}  // namespace
-
-std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings) {
-  Json json;
-  json["made_by"] = settings.made_by;
-  json["source"] = settings.source;
+/// What a manifest states of all cubes of a set.
+Json manifestHead(const BakedFiles& files, const BakedSetSettings& settings) {
+  Json json{{"made_by", settings.made_by}, {"source", settings.source}};
   if (!settings.rotate_deg.empty()) json["rotate_deg"] = settings.rotate_deg;
-  if (files.specular) {
-    const std::string arrangement = textOf(files.specular->form().arrangement);
+  if (const CubeFiles* const cube = files.anyCube()) {
+    const std::string arrangement = textOf(cube->form().arrangement);
     json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
   }
+  return json;
+}
+
+/// The parts of an older set that describe the light of the new one, which lacks them; with the arrangement of their
+/// cubes where the new set has no cube.
+Json remainingParts(const Json& older, const BakedFiles& files, const BakedSetSettings& settings) {
+  Json parts = Json::object();
+  // As it is read again: with the replacements of what is not UTF-8.
+  const Json head = Json::parse(manifestHead(files, settings).dump(-1, ' ', false, Json::error_handler_t::replace));
+  const auto differs = [&](const char* key) { return older.value(key, Json()) != head.value(key, Json()); };
+  if (!older.is_object() || older.contains("packed") || older.contains("lamps") || !files.lamps.empty() ||
+      differs("source") || differs("rotate_deg"))
+    return parts;
+  const bool has_cubes = older.contains("faces");
+  if (has_cubes && head.contains("faces") && differs("faces")) return parts;
+  const auto keep = [&](const char* key, bool is_replaced) {
+    if (older.contains(key) && !is_replaced) parts[key] = older[key];
+  };
+  keep("faces", false);
+  keep("specular", files.specular.has_value());
+  keep("irradiance", files.irradiance.has_value());
+  keep("skybox", files.skybox.has_value());
+  keep("brdf", files.brdf.has_value());
+  keep("lobe_rows", files.lobe_rows.has_value());
+  keep("harmonics", !files.harmonics.empty());
+  return parts;
+}
+
+}  // namespace
+
+std::string makeManifest(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings,
+                         const OlderSet& older) {
+  Json json = manifestHead(files, settings);
   if (!files.packed.empty())
     json["packed"] = {{"file", fs::path(files.packed).filename()},
                       {"what", "all that the program needs, in its own kind of file"}};
-  json["specular"] = specularJson(facts, files, settings);
+  if (!facts.levels.empty()) json["specular"] = specularJson(facts, files, settings);
   if (files.irradiance)
     json["irradiance"] = cubeJson(*files.irradiance, facts.formats.irradiance, settings.irradiance_size,
                                   "irradiance / pi: the radiance of a white matt surface of that normal");
@@ -190,23 +220,29 @@ std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const B
   if (files.brdf) json["brdf"] = brdfJson(*files.brdf, settings);
   if (files.lobe_rows) json["lobe_rows"] = lobeRowsJson(*files.lobe_rows);
   if (!files.lamps.empty()) json["lamps"] = lampsJson(files.lamps, facts.lamps);
-  if (files.set.files == SetFiles::cmgens || files.set.files == SetFiles::ours)
-    json["harmonics"] = harmonicsJson(files.set, settings);
+  if (!files.harmonics.empty()) json["harmonics"] = harmonicsJson(files.set, settings);
+  for (const auto& [key, part] : older.parts().items()) json[key] = part;
   // File names need not be UTF-8, which JSON is.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inputs) {
+OlderSet OlderSet::takeFrom(const BakedFiles& files, const BakedSetSettings& settings,
+                            const std::vector<std::string>& inputs) {
+  OlderSet older;
   const fs::path folder = files.folder;
   const auto text = readFile(folder / "manifest.json");
   std::error_code status;
   fs::remove(folder / "manifest.json", status);
-  if (!text) return;
-  std::vector<std::string> older;
-  collectFiles(Json::parse(text->begin(), text->end(), nullptr, false), older);
-  std::vector<fs::path> newer;
+  if (!text) return older;
+  const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
+  if (!settings.only.empty()) older.parts_ = remainingParts(manifest, files, settings);
+  std::vector<std::string> names;
+  collectFiles(manifest, names);
+  std::vector<std::string> remaining;
+  collectFiles(older.parts_, remaining);
+  std::vector<fs::path> newer(remaining.begin(), remaining.end());
   for (const std::string& path : files.paths()) newer.push_back(fs::path(path).filename());
-  for (const std::string& name : older) {
+  for (const std::string& name : names) {
     if (!isOurs(name) || contains(newer, fs::path(name))) continue;
     const std::string lies_at = (folder / name).string();
     const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
@@ -215,6 +251,7 @@ void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inp
     });
     if (!is_input) fs::remove(lies_at, status);
   }
+  return older;
 }
 
 }  // namespace mirrorball

@@ -103,10 +103,12 @@ int skyboxSize(const BakedSetSettings& settings, const Environment& environment)
 
 /// Which maps the files want of an environment.
 BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& files, const Environment& environment) {
-  const bool needs_harmonics = files.set.files == SetFiles::cmgens || !files.packed.empty() ||
-                               (files.set.files == SetFiles::ours && !files.folder.empty());
+  // cmgen's chain has the harmonics in it.
+  const bool needs_harmonics =
+      !files.harmonics.empty() || !files.packed.empty() || (files.set.files == SetFiles::cmgens && files.specular);
+  const bool needs_chain = files.specular || !files.packed.empty();
   const bool needs_irradiance = files.irradiance || (!files.packed.empty() && files.set.has_irradiance_cube);
-  BakeSettings maps{.size = settings.size,
+  BakeSettings maps{.size = needs_chain ? settings.size : 0,
                     .levels = settings.levels,
                     .distribution = settings.distribution,
                     .mip_mapping = *settings.mip_mapping,
@@ -129,8 +131,15 @@ BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& fi
 
 /// What a chain for a program says of the environment beside its levels: Filament's, the harmonics.
 Metadata factsFor(const EngineSet& set, const Harmonics& radiance) {
-  if (set.files != SetFiles::cmgens) return {};
+  if (set.files != SetFiles::cmgens || radiance.empty()) return {};
   return {{kFilamentHarmonicsKey, textOf(filamentHarmonics(radiance))}};
+}
+
+/// A file of harmonics, by its name in a set.
+std::string harmonicsText(std::string_view name, const Harmonics& radiance, const BakedSetSettings& settings) {
+  if (name == "sh.txt") return cmgensHarmonics(filamentHarmonics(radiance));
+  if (name == "sh.h") return harmonicsHeader(radiance, settings.source);
+  return harmonicsJson(radiance, settings.harmonics_degree);
 }
 
 /// Writes a program's own file, and tells what it does not hold.
@@ -231,6 +240,7 @@ struct BakedSet::Parts {
   Result<std::vector<MapLamp>> takeLamps(LoadedEnvironment& environment) const;
   Result<BakedMaps> bakeMaps(LoadedEnvironment& environment) const;
   Result<PackedLight> packMaps(const BakedMaps& maps) const;
+  Result<void> writeTexture(BakedMaps maps) const;
   Result<void> writeFolder(BakedMaps maps, PackedLight packed, Image brdf, const std::vector<MapLamp>& lamps,
                            const LoadedEnvironment& of);
 };
@@ -292,7 +302,7 @@ Result<BakedMaps> BakedSet::Parts::bakeMaps(LoadedEnvironment& environment) cons
   const std::string name = environment.name;
   const BakeSettings which = bakeSettings(settings, files, environment.environment);
   auto maps = withName(name, bake(std::move(environment.environment), which, observer.named(name)));
-  const bool in_floats = !files.specular || settings.file.format == TexelFormat::float32;
+  const bool in_floats = files.anyCube() == nullptr || settings.file.format == TexelFormat::float32;
   if (maps && !in_floats && maps->values.areTooDarkForHalves())
     observer.tell(RemarkKind::digits_lost, name + ": is so dark that half floats hold few of its digits");
   return maps;
@@ -307,7 +317,8 @@ Result<PackedLight> BakedSet::Parts::packMaps(const BakedMaps& maps) const {
 
 Result<void> BakedSet::save(LoadedEnvironment environment) {
   Parts& parts = *parts_;
-  tellFewLevels(parts.settings, parts.is_counted, parts.observer);
+  if (parts.files.specular || !parts.files.packed.empty())
+    tellFewLevels(parts.settings, parts.is_counted, parts.observer);
   Image table;
   if (parts.files.brdf && parts.table) {
     MIRRORBALL_TRY(made, std::exchange(parts.table, nullptr)->get());
@@ -324,11 +335,18 @@ Result<void> BakedSet::save(LoadedEnvironment environment) {
     if (!parts.files.folder.empty())
       return parts.writeFolder(std::move(maps), std::move(packed), std::move(table), lamps, environment);
     if (!parts.files.packed.empty()) return writePackedFile(parts.files, packed, parts.observer);
-    const Metadata facts = factsFor(parts.files.set, maps.radiance);
-    MIRRORBALL_TRY_VOID(parts.files.specular->write(std::move(maps.specular), facts, [] { return Result<void>(); }));
-    parts.files.specular->remarkOnForm();
-    return {};
+    return parts.writeTexture(std::move(maps));
   });
+}
+
+Result<void> BakedSet::Parts::writeTexture(BakedMaps maps) const {
+  const Metadata facts = factsFor(files.set, maps.radiance);
+  ImageSet images = files.specular     ? std::move(maps.specular)
+                    : files.irradiance ? std::move(maps.irradiance).takeImages()
+                                       : std::move(maps.skybox).takeImages();
+  MIRRORBALL_TRY_VOID(files.anyCube()->write(std::move(images), facts, [] { return Result<void>(); }));
+  files.anyCube()->remarkOnForm();
+  return {};
 }
 
 Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Image brdf,
@@ -337,7 +355,9 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Im
   SetWriter writer(
       files, observer,
       folder.isNew() ? "nothing was written" : files.folder + " has only some of the new files, and no manifest");
-  removeOlderSet(files, of.files);
+  BakedSetSettings named = settings;
+  if (named.source.empty()) named.source = of.name;
+  const OlderSet older = OlderSet::takeFrom(files, named, of.files);
   const int skybox_size = maps.skybox.size();
   WrittenFormats formats;
   MIRRORBALL_TRY_VOID(writer.writePacked(std::move(packed)));
@@ -351,16 +371,10 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Im
   MIRRORBALL_TRY_VOID(writer.writeTable(files.brdf, std::move(brdf)));
   MIRRORBALL_TRY_VOID(writer.writeRows(files.lobe_rows));
   for (const std::string& file : files.lamps) MIRRORBALL_TRY_VOID(writer.writeLampFile(file, lamps));
-  BakedSetSettings named = settings;
-  if (named.source.empty()) named.source = of.name;
-  if (files.set.files == SetFiles::cmgens)
-    MIRRORBALL_TRY_VOID(writer.writeText("sh.txt", cmgensHarmonics(filamentHarmonics(maps.radiance))));
-  if (files.set.files == SetFiles::ours) {
-    MIRRORBALL_TRY_VOID(writer.writeText("sh.json", harmonicsJson(maps.radiance, settings.harmonics_degree)));
-    MIRRORBALL_TRY_VOID(writer.writeText("sh.h", harmonicsHeader(maps.radiance, named.source)));
-  }
-  MIRRORBALL_TRY_VOID(
-      writer.writeText("manifest.json", manifestOf({maps.levels, skybox_size, formats, lamps.size()}, files, named)));
+  for (const std::string& name : files.harmonics)
+    MIRRORBALL_TRY_VOID(writer.writeText(name, harmonicsText(name, maps.radiance, named)));
+  MIRRORBALL_TRY_VOID(writer.writeText(
+      "manifest.json", makeManifest({maps.levels, skybox_size, formats, lamps.size()}, files, named, older)));
   folder.keep();
   return {};
 }

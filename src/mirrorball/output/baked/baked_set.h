@@ -10,12 +10,16 @@
 #include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/observer.h"
 #include "mirrorball/base/option.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/light_edit/lamp_settings.h"
 #include "mirrorball/output/map_file.h"
 #include "mirrorball/output/save_map.h"
 
 namespace mirrorball {
+
+/// What a set consists of, each of which can be asked for by itself.
+enum class BakedPart { specular, irradiance, harmonics, brdf, lobe_rows, skybox };
 
 /// Which maps are baked for an engine, and how they are stored. What is left open goes by the engine, `file.program`.
 struct BakedSetSettings {
@@ -38,22 +42,27 @@ struct BakedSetSettings {
   bool split = false;                  ///< take small lamps out of the maps, and write them as files of their own
   LampSettings lamps = {};             ///< which; in a folder alone
   std::string extension = {};          ///< of the cubes' files; empty: the engine's
+  std::vector<BakedPart> only = {};    ///< which parts are made; empty: all that the engine has a use for
   std::vector<float> rotate_deg = {};  ///< turns the light by yaw, pitch and roll; those that are missing are 0
   std::string made_by = "mirrorball";  ///< the program, for the manifest
   std::string source = {};             ///< the environment's name in the manifest; empty: that it was loaded by
   MapFileOptions file = {};            ///< of the cubes; their layout is the set's
+
+  /// Whether `only` leaves a part in.
+  bool makes(BakedPart part) const { return only.empty() || contains(only, part); }
 };
 
 /// The table of these settings, except for `lamps`, `rotate_deg`, `made_by`, `source` and `file`.
 std::span<const Option<BakedSetSettings>> bakedSetOptions();
 
 /// The maps of an environment that an engine needs, as files: a folder of them with a manifest, or the specular mip
-/// chain alone as one texture.
+/// chain, or another of the cubes, alone as one texture.
 class BakedSet {
  public:
   /// Settles what the files are called and which format they have.
   ///
-  /// output   a folder, which need not be there, or the name of a texture for the chain alone
+  /// output   a folder, which need not be there, or the name of a texture for the chain alone, or for the one cube that
+  ///          the settings make
   /// observer told of progress, of finished files, and of what the maps lack
   /// errors   usage: the settings ask for what does not exist or what the engine does not read; a file has the folder's
   ///          name
@@ -73,7 +82,8 @@ class BakedSet {
   Result<void> begin();
 
   /// Bakes the maps and writes the files. A folder that was not there is gone again if they could not all be written;
-  /// of an older set in a folder the manifest is gone then, and files may be.
+  /// of an older set in a folder the manifest is gone then, and files may be. Where the settings make only some parts,
+  /// the others of an older set of the same environment stay, and in the manifest.
   ///
   /// environment  none of whose files is one of `paths()`; values below 0 are taken as 0, which a remark tells
   /// errors       out_of_range (too bright to be summed); too_large, told before anything is made; interrupted; io

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/range.h"
@@ -31,6 +32,30 @@ constexpr ChoiceField<BakedSetSettings> kMipMappingField{
     },
     [](BakedSetSettings& settings, int index) {
       settings.mip_mapping = index > 0 ? std::optional(static_cast<MipMapping>(index - 1)) : std::nullopt;
+    }};
+
+// As the manifest has them; in the order of BakedPart.
+constexpr std::array<std::string_view, 6> kPartNames{"specular", "irradiance", "harmonics",
+                                                     "brdf",     "lobe-rows",  "skybox"};
+
+std::span<const std::string_view> partNames() { return kPartNames; }
+
+constexpr ParsedField<BakedSetSettings> kOnlyField{
+    [](const BakedSetSettings& settings) {
+      std::vector<std::string_view> names;
+      for (const BakedPart part : settings.only) names.push_back(kPartNames[static_cast<std::size_t>(part)]);
+      return join(names, ",");
+    },
+    [](const OptionText&, std::string_view written, BakedSetSettings& settings) -> Result<void> {
+      std::vector<BakedPart> parts;
+      for (const std::string& name : split(written, ',')) {
+        const auto index = indexOfName(name, kPartNames);
+        if (!index) return tl::unexpected<Error>(unknownName("part of a baked set", name, kPartNames));
+        const auto part = static_cast<BakedPart>(*index);
+        if (!contains(parts, part)) parts.push_back(part);
+      }
+      settings.only = std::move(parts);
+      return {};
     }};
 
 /// Rows have an even number of lobes.
@@ -112,6 +137,12 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .maximum = 8192,
       .help = "side of a face of the skybox; 0: as fine as the environment, but at most 1024"},
      &BakedSetSettings::skybox_size},
+    {{.name = "only",
+      .value = "PART,…",
+      .help = "make and write only these parts of the set: specular (the mip chain), irradiance, harmonics, brdf, "
+              "lobe-rows, skybox; for a texture as the output one of its cubes: specular, irradiance or skybox",
+      .names = partNames},
+     kOnlyField},
     {{.name = "split",
       .help = "take small lamps, such as the sun, out of all maps and write them beside them as directional lights: "
               "lamps.glb, lamps.json and, {option:for} three, babylon, godot and blender, code"},

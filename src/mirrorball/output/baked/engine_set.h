@@ -39,6 +39,7 @@ struct EngineSet {
   std::string_view needs_no_others = {};            ///< why it has no use for the maps of SetFiles::ours
 
   bool hasLobeRows() const { return files == SetFiles::ours || files == SetFiles::chain; }
+  bool hasHarmonics() const { return files == SetFiles::ours || files == SetFiles::cmgens; }
 };
 
 /// mip_mapping   that was asked for. One that the program's packed file cannot have makes the set SetFiles::ours, as

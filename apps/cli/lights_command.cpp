@@ -19,7 +19,9 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/light_edit/lamp_picture.h"
+#include "mirrorball/light_edit/lamp_scale.h"
 #include "mirrorball/light_edit/lamp_search.h"
+#include "mirrorball/output/convert_file.h"
 #include "mirrorball/output/lamps/lamp_files.h"
 #include "mirrorball/output/map_file.h"
 
@@ -30,6 +32,7 @@ namespace {
 struct LightsOptions {
   std::string picture;
   std::string split;
+  float scale = 1.0f;
   std::vector<std::string> lamp_files;
   bool json = false;
   Display display{.tone_map = ToneMap::neutral};
@@ -38,14 +41,15 @@ struct LightsOptions {
 };
 
 const std::string kPictureHelp =
-    "also write the map as a panorama with the outlines of its lamps, as " + writtenExtensions(Holds::picture, " or ");
+    "also write the map as a panorama with the outlines of its lamps, as " + writtenExtensions(Holds::picture, " or ") +
+    "; with --scale, the map itself, in the form that it has, as " + writtenExtensions(" or ");
 const std::string kLampFilesHelp =
     "with --split, write the lamps that are taken out to FILE, which ends in " + lampFileEndings() +
     "; may be repeated; without it, REST_lamps.glb, REST_lamps.json and a snippet for the program of --for, if one is "
     "known";
 
 const auto kOutputs = std::to_array<Option<LightsOptions>>({
-    {{.name = "output", .value = "PICTURE", .help = kPictureHelp, .letter = "o", .group = "Output", .takes_path = true},
+    {{.name = "output", .value = "FILE", .help = kPictureHelp, .letter = "o", .group = "Output", .takes_path = true},
      &LightsOptions::picture},
     {{.name = "split",
       .value = "REST",
@@ -53,6 +57,13 @@ const auto kOutputs = std::to_array<Option<LightsOptions>>({
       .group = "Output",
       .takes_path = true},
      &LightsOptions::split},
+    {{.name = "scale",
+      .value = "K",
+      .minimum = 0,
+      .maximum = 1000,
+      .help = "multiply the light of the lamps by K and write the map to --output; 0 puts their surroundings in their "
+              "place. With --max-size, only of lamps of up to that size"},
+     &LightsOptions::scale},
     {{.name = "lamps", .value = "FILE", .help = kLampFilesHelp, .group = "Output", .takes_path = true},
      &LightsOptions::lamp_files},
     {{.name = "json", .help = "print JSON: an array `lights`, the strongest first", .group = "Output"},
@@ -77,34 +88,58 @@ struct LightsRequest {
   std::string input;
   LampSettings lamps;
   LightsOptions options;
-  MapFileOptions rest;
-  GivenOptions given;  ///< of those that mean something with --split alone, and others
+  MapFileOptions file;  ///< of what is written of the map
+  GivenOptions stated;  ///< of those that mean something with --split or --scale alone, and others
+
+  bool isScaled() const { return stated.contains("scale"); }
 };
+
+/// Refuses what can be refused with --scale before the map is read.
+///
+/// errors   usage; io: the folder does not exist
+Result<void> settleScaled(LightsRequest& request) {
+  const LightsOptions& options = request.options;
+  if (options.picture.empty())
+    return fail(ErrorCode::usage, "--scale writes the map with other lamps; name it: -o FILE.exr");
+  for (const std::string_view name : {"split", "lamps"})
+    if (request.stated.contains(name))
+      return fail(ErrorCode::usage, "--" + std::string(name) +
+                                        " takes the lamps out of the map, and --scale leaves them in; leave one of the "
+                                        "two out");
+  if (!request.stated.contains("max-size")) request.lamps.max_size_deg = 360.0f;
+  // Outlines are drawn over a tone-mapped picture, and a map has the options that it is asked for.
+  request.file.display.exposure_ev = options.display.exposure_ev;
+  if (request.stated.contains("tone-map")) request.file.display.tone_map = options.display.tone_map;
+  MIRRORBALL_TRY_VOID(formatToWrite(options.picture, {Holds::light, Holds::texture, Holds::picture}));
+  return checkFolder(options.picture);
+}
 
 /// Refuses what can be refused before the map is read, and names the lamps' files.
 ///
-/// errors   usage; io: there is no such folder
+/// errors   usage; io: the folder does not exist
 Result<void> settle(LightsRequest& request) {
   LightsOptions& options = request.options;
+  if (request.isScaled()) return settleScaled(request);
   if (!options.picture.empty()) {
     if (!formatToWrite(options.picture, {Holds::picture}))
       return fail(ErrorCode::usage, options.picture + ": outlines are drawn into a picture; name a " +
                                         writtenExtensions(Holds::picture, " or ") +
-                                        " file, or say --split for a map without its lamps");
+                                        " file, or say --split for a map without its lamps, or "
+                                        "--scale 2 for one with brighter ones");
     MIRRORBALL_TRY_VOID(checkFolder(options.picture));
   }
   if (options.split.empty()) {
-    for (const std::string_view name : {"lamps", "max-size", "for", "format", "layout"})
-      if (request.given.contains(name))
+    for (const std::string_view name : {"lamps", "max-size", "for", "format", "layout", "mips"})
+      if (request.stated.contains(name))
         return fail(ErrorCode::usage, "--" + std::string(name) +
                                           " says how small lamps and the rest of a map are written apart; add --split "
-                                          "REST.exr");
+                                          "REST.exr, or --scale K for a map with other lamps");
     return {};
   }
   MIRRORBALL_TRY_VOID(checkFolder(options.split));
   if (options.lamp_files.empty()) {
     const std::filesystem::path rest(options.split);
-    options.lamp_files = lampFilesFor((rest.parent_path() / rest.stem()).string() + "_lamps", request.rest.program);
+    options.lamp_files = lampFilesFor((rest.parent_path() / rest.stem()).string() + "_lamps", request.file.program);
   }
   for (const std::string& file : options.lamp_files) {
     MIRRORBALL_TRY_VOID(checkLampFile(file));
@@ -130,7 +165,7 @@ Result<void> writeSplit(SplitMap split, const MapFile& rest, const std::vector<s
 Result<void> splitInto(EnvironmentMap map, std::span<const std::string> inputs, const LightsRequest& request,
                        FoundLights& found) {
   const LightsOptions& options = request.options;
-  MIRRORBALL_TRY(rest, MapFile::resolve(options.split, request.rest, map.projection(), terminalObserver()));
+  MIRRORBALL_TRY(rest, MapFile::resolve(options.split, request.file, map.projection(), terminalObserver()));
   std::vector<std::string> outputs = rest.paths();
   outputs.insert(outputs.end(), options.lamp_files.begin(), options.lamp_files.end());
   if (!options.picture.empty()) outputs.push_back(options.picture);
@@ -154,6 +189,27 @@ Result<void> drawLamps(const Environment& map, const LightsOptions& options, con
   return {};
 }
 
+/// With --scale: writes the map with other lamps, in the form that it has.
+///
+/// searched  the map in which lamps are searched
+Result<void> scaleInto(LoadedEnvironment loaded, const EnvironmentMap& searched, const LightsRequest& request,
+                       FoundLights& found) {
+  const std::string& path = request.options.picture;
+  EnvironmentMap map = loaded.environment.map() ? std::move(*loaded.environment.map()) : searched;
+  MIRRORBALL_TRY(
+      output, MapFile::resolve(path, keepingLayout(loaded, path, request.file), map.projection(), terminalObserver()));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
+  if (loaded.levels > 1 && output.leavesLevelsOut())
+    terminalObserver().tell(RemarkKind::levels_left_out, found.name + ": of its " + std::to_string(loaded.levels) +
+                                                             " mip levels only the first is taken");
+  MIRRORBALL_TRY(scaled,
+                 withName(found.name, scaleLamps(std::move(map), searched, request.options.scale, request.lamps)));
+  if (scaled.lamps.empty()) remark(found.name + ": has no lamp to scale; its light is written as it is");
+  found.lamps = std::move(scaled.lamps);
+  found.scale = request.options.scale;
+  return output.write(std::move(scaled.map));
+}
+
 Result<void> findLights(LightsRequest& request) {
   MIRRORBALL_TRY_VOID(settle(request));
   const LightsOptions& options = request.options;
@@ -161,8 +217,15 @@ Result<void> findLights(LightsRequest& request) {
   MIRRORBALL_TRY(loaded, loadMap(request.input, {.from = hint, .repair = options.repair}, progressBar("read")));
   if (!options.picture.empty()) MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, {&options.picture, 1}));
   FoundLights found{.name = shown(request.input), .min_share = request.lamps.min_share};
+  // Of a map that is scaled texels are kept that the search takes otherwise, such as those below 0.
+  LoadedEnvironment kept = request.isScaled() ? loaded : LoadedEnvironment{.environment = Environment({}, 1)};
   MIRRORBALL_TRY(map, searchedMap(std::move(loaded.environment), progressBar("convert")));
   MIRRORBALL_TRY_VOID(withName(found.name, checkLight(map, terminalObserver().named(found.name))));
+  if (request.isScaled()) {
+    MIRRORBALL_TRY_VOID(scaleInto(std::move(kept), map, request, found));
+    print(options.json ? jsonOf(found) : textOf(found));
+    return {};
+  }
   Environment drawn({}, 1);
   if (!options.picture.empty()) drawn = Environment(map);
   if (options.split.empty())
@@ -196,11 +259,11 @@ Command lightsCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->input);
-  addOptions(command, lampOptions(), request->lamps, &request->given);
-  addOptions(command, kOutputs, request->options, &request->given);
+  addOptions(command, lampOptions(), request->lamps, &request->stated);
+  addOptions(command, kOutputs, request->options, &request->stated);
   static const std::vector<Option<MapFileOptions>> of_rest =
-      rowsNamed(mapFileOptions(), std::array<std::string_view, 3>{"for", "format", "layout"});
-  addOptions(command, of_rest, request->rest, &request->given);
+      rowsNamed(mapFileOptions(), std::array<std::string_view, 4>{"for", "format", "layout", "mips"});
+  addOptions(command, of_rest, request->file, &request->stated);
   addOptions(command, kInputs, request->options);
   command.action = [request]() -> Result<void> {
     MIRRORBALL_TRY_VOID(readStandardInput({&request->input}));

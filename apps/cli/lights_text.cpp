@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kHeading =
     "     share  direction to it      size     illuminance     irradiance (red green blue)\n";
 
-std::string rowOf(std::size_t number, const MapLamp& lamp) {
+std::string lampRow(std::size_t number, const MapLamp& lamp) {
   const glm::vec3 d = lamp.direction;
   return formatted("%2zu  %5.1f %%  %6.3f %6.3f %6.3f  %5.2f deg  ", number, 100.0 * double(lamp.share), double(d.x),
                    double(d.y), double(d.z), double(glm::degrees(lamp.angular_size_rad))) +
@@ -21,14 +21,14 @@ std::string rowOf(std::size_t number, const MapLamp& lamp) {
          shortText(lamp.irradiance) + "\n";
 }
 
-std::string tableOf(std::span<const MapLamp> lamps) {
+std::string lampTable(std::span<const MapLamp> lamps) {
   std::string text = kHeading;
-  for (std::size_t i = 0; i < lamps.size(); ++i) text += rowOf(i + 1, lamps[i]);
+  for (std::size_t i = 0; i < lamps.size(); ++i) text += lampRow(i + 1, lamps[i]);
   return text;
 }
 
 /// "3 lamps with 41 % of the light".
-std::string summaryOf(std::span<const MapLamp> lamps) {
+std::string summary(std::span<const MapLamp> lamps) {
   double share = 0.0;
   for (const MapLamp& lamp : lamps) share += double(lamp.share);
   return counted(lamps.size(), "lamp") + " with " + formatted("%.3g", 100.0 * share) + " % of the light";
@@ -37,7 +37,7 @@ std::string summaryOf(std::span<const MapLamp> lamps) {
 std::string percentText(float share) { return formatted("%.2g %%", 100.0 * double(share)); }
 
 /// What a lamp of one direction changes.
-std::string errorsOf(const std::vector<LampError>& errors) {
+std::string errorLines(const std::vector<LampError>& errors) {
   std::string text;
   for (std::size_t i = 0; i < errors.size(); ++i)
     text += formatted("%2zu  lights no surface by more than ", i + 1) + percentText(errors[i].irradiance) +
@@ -60,9 +60,10 @@ std::string textOf(const FoundLights& found) {
            " % of the light or more\n";
   if (found.is_split && found.taken.empty()) text += "no lamp was taken out, as none is small; ";
   if (!found.taken.empty())
-    text += "taken out: " + summaryOf(found.taken) + "\n" + tableOf(found.taken) + errorsOf(found.errors);
+    text += "taken out: " + summary(found.taken) + "\n" + lampTable(found.taken) + errorLines(found.errors);
+  if (found.scale) text += "scaled by " + shortText(double(*found.scale)) + ", before: ";
   if (!found.lamps.empty())
-    text += (found.is_split ? "in the map: " : "") + summaryOf(found.lamps) + "\n" + tableOf(found.lamps);
+    text += (found.is_split ? "in the map: " : "") + summary(found.lamps) + "\n" + lampTable(found.lamps);
   if (isClippedAny(found.lamps) || isClippedAny(found.taken))
     text += ">= its brightest texels are all alike, as where a camera or a format clips: it is at least so much\n";
   return text;
@@ -71,6 +72,7 @@ std::string textOf(const FoundLights& found) {
 std::string jsonOf(const FoundLights& found) {
   Json json{{"file", found.name}};
   json.update(lampJson(found.is_split ? found.taken : found.lamps));
+  if (found.scale) json["scale"] = numberOf(double(*found.scale));
   if (found.is_split) {
     for (std::size_t i = 0; i < found.errors.size(); ++i)
       json["lights"][i]["error"] = {{"irradiance", numberOf(double(found.errors[i].irradiance))},

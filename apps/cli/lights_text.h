@@ -18,6 +18,7 @@ struct FoundLights {
   std::vector<MapLamp> taken = {};     ///< with --split: those that were taken out of it
   std::vector<LampError> errors = {};  ///< of those
   bool is_split = false;
+  std::optional<float> scale = {};  ///< with --scale: of the lamps' light; they are as they were before
 };
 
 /// Tables of them, for a reader.

@@ -167,5 +167,86 @@ TEST_F(LightsTest, BakeSplitsTooAndTurnsTheLamps) {
   EXPECT_THAT(files(), ::testing::Not(::testing::Contains("set/lamps.glb")));
 }
 
+/// The lamps that --json lists.
+Json lampsIn(const std::string& json) { return Json::parse(json)["lights"]; }
+
+TEST_F(LightsTest, ScaledLampsHaveTheFactorTimesTheirLight) {
+  const Json before = lampsIn(succeed("lights map.exr --json"));
+  const Json printed = Json::parse(succeed("lights map.exr --scale 2 -o twice.exr --json"));
+  EXPECT_EQ(printed["scale"], 2.0);
+  EXPECT_EQ(printed["lights"], before) << "as they were";
+  const Json after = lampsIn(succeed("lights twice.exr --json"));
+  ASSERT_EQ(after.size(), before.size());
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(
+        after[0]["irradiance"][std::size_t(c)].get<double>() / before[0]["irradiance"][std::size_t(c)].get<double>(),
+        2.0, 1e-3);
+  const Image map = image("map.exr");
+  const Image twice = image("twice.exr");
+  EXPECT_NEAR(twice.texel(256, 100)[0], 6e4f, 60.0f);
+  for (int x = 0; x < 512; x += 7) EXPECT_EQ(rgbAt(twice, x, 20), rgbAt(map, x, 20));
+  EXPECT_THAT(succeed("lights map.exr --scale 0.5 -o half.exr"), StartsWith("map.exr: scaled by 0.5, before: 1 lamp"));
+}
+
+TEST_F(LightsTest, ScaledBy0TheyAreGone) {
+  succeed("lights map.exr --scale 0 -o dark.exr");
+  EXPECT_EQ(lampsIn(succeed("lights dark.exr --json")), Json::array());
+  EXPECT_NEAR(image("dark.exr").texel(256, 100)[0], 0.5f, 1e-3f);
+}
+
+TEST_F(LightsTest, AScaledMapKeepsItsForm) {
+  succeed("convert map.exr --to cube --layout vcross --size 64 -o cross.exr");
+  succeed("convert map.exr --to cube --size 64 -o cube.ktx2");
+  succeed("convert map.exr --to octahedral --size 128 -o octahedral.exr");
+  for (const std::string name : {"cross.exr", "cube.ktx2", "octahedral.exr"}) {
+    const std::string output = "scaled_" + name;
+    const Json before = lampsIn(succeed("lights --json " + name));
+    succeed("lights --scale 3 " + name + " -o " + output);
+    const auto form = [&](const std::string& file) { return Json::parse(succeed("info --json " + file))["form"]; };
+    EXPECT_EQ(form(output), form(name));
+    const Json after = lampsIn(succeed("lights --json " + output));
+    ASSERT_EQ(after.size(), before.size()) << name;
+    EXPECT_NEAR(after[0]["illuminance"].get<double>() / before[0]["illuminance"].get<double>(), 3.0, 0.05) << name;
+  }
+}
+
+TEST_F(LightsTest, WithoutLampsAScaledMapIsWrittenAsItIs) {
+  const Outcome outcome = run("lights grey.exr --scale 5 -o same.exr");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("grey.exr: has no lamp to scale; its light is written as it is"));
+  for (int x = 0; x < 64; ++x) EXPECT_EQ(rgbAt(image("same.exr"), x, 9), rgbAt(image("grey.exr"), x, 9));
+}
+
+TEST_F(LightsTest, OfLightThatAFormatDoesNotHoldARemarkTells) {
+  const Outcome outcome = run("lights map.exr --scale 100 -o bright.ktx2 --format half");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("65504"));
+  Image far_too_bright(512, 256, 3, 0.5f);
+  std::fill_n(far_too_bright.texel(256, 100), 3, 9e35f);
+  write("brightest.exr", far_too_bright);
+  EXPECT_THAT(refuse(1, "lights brightest.exr --scale 1000 -o out.exr"), HasSubstr("too bright"));
+}
+
+TEST_F(LightsTest, WrongScalesAreRefused) {
+  for (const char* factor : {"-1", "nan", "inf", "1001", "twice"})
+    EXPECT_THAT(refuse(2, std::string("lights map.exr -o out.exr --scale=") + factor), HasSubstr("--scale")) << factor;
+  EXPECT_THAT(refuse(2, "lights map.exr --scale 2"), HasSubstr("name it: -o FILE.exr"));
+  EXPECT_THAT(refuse(2, "lights map.exr --scale 2 -o out.exr --split rest.exr"), HasSubstr("leave one of the two out"));
+  EXPECT_THAT(refuse(2, "lights map.exr --scale 2 -o map.exr"), HasSubstr("map.exr"));
+  EXPECT_THAT(refuse(2, "lights map.exr -o out.exr"), HasSubstr("--scale 2 for one with brighter ones"));
+}
+
+// What --max and --max-size leave out stays as it is.
+TEST_F(LightsTest, OnlyTheLampsThatAreSelectedAreScaled) {
+  Image two = image("map.exr");
+  std::fill_n(two.texel(50, 100), 3, 1e4f);
+  write("two.exr", two);
+  succeed("lights two.exr --max 1 --scale 4 -o out.exr");
+  EXPECT_NEAR(image("out.exr").texel(256, 100)[0], 12e4f, 120.0f);
+  EXPECT_EQ(image("out.exr").texel(50, 100)[0], 1e4f);
+  const Outcome none = run("lights two.exr --max-size 0.01 --scale 4 -o none.exr");
+  EXPECT_THAT(none.err, HasSubstr("no lamp to scale"));
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

@@ -12,9 +12,11 @@
 #include "formula/color.h"
 #include "mirrorball/bake/prefilter/bright_lights.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/light_edit/lamp_outline.h"
+#include "mirrorball/light_edit/lamp_texels.h"
 #include "mirrorball/light_edit/map_texel.h"
 
 namespace mirrorball {
@@ -24,7 +26,7 @@ constexpr float kBodyShare = 1.0f / 16.0f;  // of its brightest texel
 constexpr float kSmallReach_rad = 0.0436f;  // 2.5°
 constexpr int kLeastPlateau = 4;            // texels
 
-float brightnessOf(glm::vec3 light) { return std::max({light.x, light.y, light.z}); }
+float brightestChannel(glm::vec3 light) { return std::max({light.x, light.y, light.z}); }
 
 /// The bright texels of a map, by their numbers in this list, and which of them belong to no lamp yet.
 class BrightTexels {
@@ -39,7 +41,7 @@ class BrightTexels {
 
   std::size_t count() const { return texels_.size(); }
   const MapTexel& texel(std::size_t number) const { return texels_[number]; }
-  float brightness(std::size_t number) const { return brightnessOf(radianceOf(map_, texels_[number])); }
+  float brightness(std::size_t number) const { return brightestChannel(radianceOf(map_, texels_[number])); }
   bool isLeft(std::size_t number) const { return is_left_[number]; }
 
   /// Takes what is left of those that are connected with a body, are not darker than `least` and then belong to it.
@@ -107,8 +109,8 @@ class LightMoments {
 };
 
 /// The corners of a lamp's texels.
-std::vector<glm::vec3> cornersOf(const EnvironmentMap& map, const BrightTexels& bright,
-                                 std::span<const std::size_t> body) {
+std::vector<glm::vec3> texelCorners(const EnvironmentMap& map, const BrightTexels& bright,
+                                    std::span<const std::size_t> body) {
   std::vector<glm::vec3> corners;
   corners.reserve(4 * body.size());
   for (const std::size_t number : body) {
@@ -131,32 +133,34 @@ class LampFinder {
  public:
   explicit LampFinder(const EnvironmentMap& map) : map_(map), bright_(map) {}
 
-  std::vector<MapLamp> find() {
+  std::vector<LampTexels> find() {
     std::vector<std::size_t> order(bright_.count());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return bright_.brightness(a) > bright_.brightness(b); });
-    std::vector<MapLamp> lamps;
+    std::vector<LampTexels> lamps;
     for (const std::size_t brightest : order)
       if (bright_.isLeft(brightest)) lamps.push_back(lampFrom(brightest, bright_.brightness(order.front())));
     return lamps;
   }
 
  private:
-  MapLamp lampFrom(std::size_t brightest, float brightest_of_map) {
+  LampTexels lampFrom(std::size_t brightest, float brightest_of_map) {
     const float least = kBodyShare * bright_.brightness(brightest);
     std::vector<std::size_t> body;
     bright_.take(bright_.texel(brightest), 0.0f, body);
     bright_.growBody(body, least);
-    const MapLamp found = lampOf(body, {});
+    const MapLamp found = makeLamp(body, {});
     std::vector<std::size_t> glow;
     if (found.reach_rad() > kSmallReach_rad)
       bright_.growBody(body, 0.0f);
     else
       takeGlow(found, least, body, glow);
-    MapLamp lamp = lampOf(body, glow);
-    lamp.is_clipped = isClipped(bright_, body, brightest_of_map);
-    return lamp;
+    LampTexels whole{makeLamp(body, glow), {}};
+    whole.lamp.is_clipped = isClipped(bright_, body, brightest_of_map);
+    for (const std::vector<std::size_t>* const part : {&body, &glow})
+      for (const std::size_t number : *part) whole.texels.push_back(bright_.texel(number));
+    return whole;
   }
 
   /// What else is bright around a small lamp: parts of it, and its glow.
@@ -168,7 +172,7 @@ class LampFinder {
                      });
   }
 
-  MapLamp lampOf(std::span<const std::size_t> body, std::span<const std::size_t> glow) const {
+  MapLamp makeLamp(std::span<const std::size_t> body, std::span<const std::size_t> glow) const {
     LightMoments of_body;
     LightMoments of_glow;
     for (const std::size_t number : body) of_body.add(map_, bright_.texel(number));
@@ -176,7 +180,7 @@ class LampFinder {
     MapLamp lamp{.direction = of_body.direction(),
                  .irradiance = of_body.irradiance() + of_glow.irradiance(),
                  .angular_size_rad = of_body.angularSize_rad()};
-    lamp.outline = outlineAround(lamp.direction, cornersOf(map_, bright_, body));
+    lamp.outline = outlineAround(lamp.direction, texelCorners(map_, bright_, body));
     return lamp;
   }
 
@@ -211,16 +215,21 @@ glm::vec3 wholeLight(const EnvironmentMap& map) {
   return glm::vec3(std::accumulate(rows.begin(), rows.end(), glm::dvec3(0.0)));
 }
 
-std::vector<MapLamp> findLamps(const EnvironmentMap& map, glm::vec3 all, const LampSettings& settings) {
+std::vector<LampTexels> findLampTexels(const EnvironmentMap& map, glm::vec3 all, const LampSettings& settings) {
   assert(hasKnownNeighbours(map.projection()));
-  std::vector<MapLamp> lamps = LampFinder(map).find();
-  for (MapLamp& lamp : lamps) lamp.share = std::min(lamp.illuminance() / formula::luminance(all), 1.0f);
-  lamps.erase(std::remove_if(lamps.begin(), lamps.end(),
-                             [&](const MapLamp& lamp) { return !(lamp.share >= settings.min_share); }),
-              lamps.end());
-  std::stable_sort(lamps.begin(), lamps.end(),
-                   [](const MapLamp& a, const MapLamp& b) { return a.illuminance() > b.illuminance(); });
-  lamps.resize(std::min(lamps.size(), static_cast<std::size_t>(settings.max)));
+  std::vector<LampTexels> found = LampFinder(map).find();
+  for (LampTexels& each : found) each.lamp.share = std::min(each.lamp.illuminance() / formula::luminance(all), 1.0f);
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const LampTexels& each) { return !(each.lamp.share >= settings.min_share); }),
+              found.end());
+  sortDownBy(found, [](const LampTexels& each) { return each.lamp.illuminance(); });
+  found.resize(std::min(found.size(), static_cast<std::size_t>(settings.max)));
+  return found;
+}
+
+std::vector<MapLamp> findLamps(const EnvironmentMap& map, glm::vec3 all, const LampSettings& settings) {
+  std::vector<MapLamp> lamps;
+  for (LampTexels& found : findLampTexels(map, all, settings)) lamps.push_back(std::move(found.lamp));
   return lamps;
 }
 

@@ -10,7 +10,7 @@ namespace mirrorball {
 struct LampSettings {
   int max = 8;                ///< how many, at least 1: the strongest
   float min_share = 0.01f;    ///< of all light, 0 … 1; less is no lamp
-  float max_size_deg = 2.0f;  ///< angular size of those that are taken out; wider ones stay in the map
+  float max_size_deg = 2.0f;  ///< angular size of those that are taken out or scaled; wider ones stay
 };
 
 /// The table of these settings: max, min-share, max-size.

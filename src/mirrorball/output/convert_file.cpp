@@ -113,12 +113,8 @@ Result<MapFile> outputOf(const LoadedEnvironment& loaded, const std::string& pat
   if (!loaded.recognition)
     return fail(ErrorCode::usage, loaded.name + ": is light from every direction, in no projection yet",
                 Remedy::name_projection);
-  const MapForm& form = loaded.recognition->form;
-  MapFileOptions options = conversion.file;
-  // A texture's cube has no layout of its own.
-  const bool has_layout = faceCount(form.projection) == 6 && !isTexturePath(loaded.name) && !isTexturePath(path);
-  if (has_layout && !options.layout && options.program.empty()) options.layout = form.layout;
-  return outputOf(loaded.name, path, options, form.projection, observer);
+  return outputOf(loaded.name, path, keepingLayout(loaded, path, conversion.file), loaded.recognition->form.projection,
+                  observer);
 }
 
 /// Hands on the texels of a map as they are.
@@ -172,6 +168,15 @@ Result<std::vector<std::string>> convertLoaded(const LoadedEnvironment& loaded, 
 }
 
 }  // namespace
+
+MapFileOptions keepingLayout(const LoadedEnvironment& loaded, const std::string& path, MapFileOptions options) {
+  if (!loaded.recognition) return options;
+  const MapForm& form = loaded.recognition->form;
+  // A texture's cube has no layout of its own.
+  const bool has_layout = faceCount(form.projection) == 6 && !isTexturePath(loaded.name) && !isTexturePath(path);
+  if (has_layout && !options.layout && options.program.empty()) options.layout = form.layout;
+  return options;
+}
 
 Result<void> checkConversion(const std::string& input, const std::string& output, const FileConversion& conversion) {
   MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::light, Holds::texture, Holds::picture}));

@@ -20,6 +20,12 @@ struct FileConversion {
   MapFileOptions file = {};
 };
 
+/// How a map is written in the form that it was read in: with its own layout of a cube, where the options leave that
+/// open and the file can have it.
+///
+/// path     of the output
+MapFileOptions keepingLayout(const LoadedEnvironment& loaded, const std::string& path, MapFileOptions options);
+
 /// Refuses, before anything is read, what can be refused by then.
 ///
 /// errors   usage

@@ -21,6 +21,7 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/output/convert_file.h"
+#include "mirrorball/photo/heading_in_file.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -35,6 +36,7 @@ struct ConvertOptions {
   std::vector<float> centre;
   std::string extension;
   bool repair = false;
+  bool mark_north = false;
 };
 
 const std::string kToHelp =
@@ -82,6 +84,10 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {kRotateText, &ConvertOptions::rotate_deg},
     {{.name = "extension", .value = "EXT", .help = kExtensionHelp, .names = extensionNames},
      &ConvertOptions::extension},
+    {{.name = "mark-north",
+      .help = "draw a line and the letter N into the map where north is, by the compass heading that the file of a "
+              "panorama states (see info --north)"},
+     &ConvertOptions::mark_north},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &ConvertOptions::repair},
     {kMaxMemoryText, kMemoryLimitField<ConvertOptions>},
@@ -137,7 +143,12 @@ Result<void> checkRequest(const std::string& input, const std::string& path, con
 /// Converts one map, and shows its progress.
 Result<void> convertOne(const std::string& input, const std::string& path, const ConvertRequest& request,
                         const Observer& observer) {
-  auto converted = convertFile(input, path, request.conversion, observer);
+  FileConversion conversion = request.conversion;
+  if (request.options.mark_north) {
+    MIRRORBALL_TRY(heading, withName(shown(input), headingNeeded(input)));
+    conversion.marked_north = heading;
+  }
+  auto converted = convertFile(input, path, conversion, observer);
   if (!converted) return tl::unexpected<Error>(ofMap(input, std::move(converted).error()));
   return {};
 }

@@ -20,6 +20,7 @@
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/photo/heading_in_file.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -31,6 +32,7 @@ struct InfoOptions {
   bool json = false;
   std::string from;
   bool inside_only = false;
+  bool north = false;
 };
 
 const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
@@ -40,6 +42,10 @@ const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
       .max_count = 3,
       .help = "print where this direction is: its cube face, (s, t) and texel, and its texel in each projection"},
      &InfoOptions::direction},
+    {{.name = "north",
+      .help = "print where north is in a panorama, by the compass heading that its file states; an error where it "
+              "states none"},
+     &InfoOptions::north},
     {{.name = "json", .help = "print JSON: an object for one file, an array for several"}, &InfoOptions::json},
     {{.name = "from",
       .value = "FORM",
@@ -56,7 +62,7 @@ constexpr std::array<Projection::Kind, 10> kListed{
     Projection::equal_area, Projection::eac};
 static_assert(kListed.size() == Projection::kKinds, "a direction is told in every projection");
 
-DirectionPlace placeOf(const Environment& environment, Projection projection, glm::vec3 direction) {
+DirectionPlace findPlace(const Environment& environment, Projection projection, glm::vec3 direction) {
   DirectionPlace found{projection, imageSize(projection, environment.naturalSize(projection)), std::nullopt, {}};
   if (!covers(projection, direction)) return found;
   found.place = positionOf(projection, direction);
@@ -66,16 +72,36 @@ DirectionPlace placeOf(const Environment& environment, Projection projection, gl
 
 DirectionInfo directionInfo(const Environment& environment, glm::vec3 unit, const std::vector<float>& written) {
   DirectionInfo info{.given = {written[0], written[1], written[2]}, .unit = unit};
-  for (const Projection projection : kListed) info.places.push_back(placeOf(environment, projection, info.unit));
+  for (const Projection projection : kListed) info.places.push_back(findPlace(environment, projection, info.unit));
   info.radiance = environment.radiance(info.unit);
   return info;
 }
 
-Result<RadianceStatistics> statisticsOf(const Environment& environment) {
+Result<RadianceStatistics> measureLight(const Environment& environment) {
   if (const EnvironmentMap* map = environment.map()) return radianceStatistics(*map);
   // A function has no texels of its own: it is read where a cube of its natural size has some.
   MIRRORBALL_TRY(map, convert(environment, Projection::cube, environment.naturalSize(Projection::cube)));
   return radianceStatistics(map);
+}
+
+/// Where north is in a panorama whose file states a compass heading.
+///
+/// errors   bad_shape, not_found: it is not a panorama, or states none, where that is what is asked for
+Result<std::optional<NorthInfo>> findNorth(const LoadedEnvironment& loaded, bool is_needed) {
+  const bool is_panorama = loaded.recognition && loaded.recognition->form.projection == Projection::equirect;
+  if (!is_panorama && is_needed)
+    return fail(ErrorCode::bad_shape, "a compass heading is that of a panorama's middle, and this map is " +
+                                          (loaded.recognition ? textOf(loaded.recognition->form)
+                                                              : std::string("a function of the direction")));
+  if (!is_panorama) return std::nullopt;
+  MIRRORBALL_TRY(heading, headingInFile(loaded.files.front()));
+  if (!heading && is_needed) MIRRORBALL_TRY_VOID(headingNeeded(loaded.files.front()));
+  if (!heading) return std::nullopt;
+  const SignedAxis centre = loaded.recognition->form.centre;
+  const CompassAxes axes = compassAxes(*heading, centre);
+  const glm::vec3 in_picture = glm::transpose(centredOn(vectorOf(centre))) * axes.north;
+  const float u = positionOf(Projection::equirect, in_picture).uv.x;
+  return NorthInfo{*heading, axes, u * float(loaded.file_size.x)};
 }
 
 /// What is known of an input.
@@ -88,7 +114,7 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   if (table) return InputInfo{shown(input), std::move(*table)};
   MIRRORBALL_TRY(rows, lobeRowsIn(input));
   if (rows) return InputInfo{shown(input), std::move(*rows)};
-  if (const auto format = modelFormatOf(input); format && !direction) {
+  if (const auto format = modelFormatOf(input); format && !direction && !options.north) {
     MIRRORBALL_TRY(scene, loadModel(input, {.inside_only = options.inside_only}));
     return InputInfo{shown(input), ModelInfo{std::string(*format).substr(format->find(' ') + 1), std::move(scene)}};
   }
@@ -101,9 +127,12 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   const Metadata& said = map.loaded.metadata;
   if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
     map.harmonics = filamentHarmonicsIn(text->second);
+  MIRRORBALL_TRY(north, withName(shown(input), findNorth(map.loaded, options.north)));
+  map.north = std::move(north);
+  map.is_north_alone = options.north;
   if (direction) map.direction = directionInfo(map.loaded.environment, *direction, options.direction);
-  if (!direction || options.json) {
-    MIRRORBALL_TRY(statistics, statisticsOf(map.loaded.environment));
+  if ((!direction && !options.north) || options.json) {
+    MIRRORBALL_TRY(statistics, measureLight(map.loaded.environment));
     map.statistics = statistics;
   }
   return InputInfo{shown(input), std::move(map)};
@@ -133,7 +162,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
       complain(found.error());
       found = InputInfo{shown(input), Error{found.error().code, shown(lineOf(found.error()))}};
     } else if (!options.json) {
-      const bool is_named = !is_one && !options.direction.empty();
+      const bool is_named = !is_one && (options.north || !options.direction.empty());
       print((is_one || &input == &inputs.front() ? "" : "\n") + (is_named ? printable(found->name) + "\n" : "") +
             textOf(*found));
     }

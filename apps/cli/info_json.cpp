@@ -48,6 +48,13 @@ void add(const MapInfo& map, Json& json) {
                        {"direction", arrayOf(map.statistics.brightest_direction)}};
   if (map.harmonics)
     for (const glm::vec3& row : *map.harmonics) json["filament_harmonics"].push_back(arrayOf(row));
+  if (map.north) {
+    const auto& [heading, axes, column] = *map.north;
+    json["north"] = {{"direction", arrayOf(axes.north)},     {"up", arrayOf(axes.up)},
+                     {"column", numberOf(double(column))},   {"heading", numberOf(heading.heading_deg)},
+                     {"pitch", numberOf(heading.pitch_deg)}, {"roll", numberOf(heading.roll_deg)},
+                     {"is_magnetic", heading.is_magnetic},   {"source", heading.source}};
+  }
   if (map.direction) json["direction"] = jsonOfDirection(*map.direction);
 }
 

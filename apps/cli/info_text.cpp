@@ -78,9 +78,22 @@ std::string directionText(const DirectionInfo& direction) {
   return said + line("radiance", shortText(direction.radiance));
 }
 
+/// "-0.5 0 0.86603, column 1195 of 2048 (GPano:PoseHeadingDegrees 330)"
+std::string northText(const NorthInfo& north, glm::ivec2 file_size) {
+  const CompassHeading& heading = north.heading;
+  std::string text = directionText(north.axes.north) + ", column " + formatted("%.0f", double(north.column)) + " of " +
+                     std::to_string(file_size.x) + " (" + heading.source + " " + shortText(heading.heading_deg);
+  if (heading.is_magnetic) text += ", magnetic";
+  if (heading.pitch_deg != 0.0) text += ", pitch " + shortText(heading.pitch_deg);
+  if (heading.roll_deg != 0.0) text += ", roll " + shortText(heading.roll_deg);
+  return text + ")";
+}
+
 std::string textOf(const MapInfo& map) {
-  if (map.direction) return directionText(*map.direction);
-  std::string said = fileText(map) + statisticsText(map.statistics);
+  const std::string north = map.north ? line("north", northText(*map.north, map.loaded.file_size)) : "";
+  if (map.direction) return directionText(*map.direction) + (map.is_north_alone ? north : "");
+  if (map.is_north_alone) return north;
+  std::string said = fileText(map) + statisticsText(map.statistics) + north;
   if (map.harmonics)
     said += line("harmonics", "Filament's, of irradiance / pi: " + shortText((*map.harmonics)[0]) + " in the mean");
   return said;
@@ -176,7 +189,7 @@ std::string textOf(const Error& error) { return line("error", error.message); }
 
 std::string textOf(const InputInfo& info) {
   const auto* const map = std::get_if<MapInfo>(&info.what);
-  const std::string heading = map && map->direction ? "" : printable(info.name) + "\n";
+  const std::string heading = map && (map->direction || map->is_north_alone) ? "" : printable(info.name) + "\n";
   return heading + std::visit([](const auto& what) { return textOf(what); }, info.what);
 }
 

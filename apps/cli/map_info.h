@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/bake/harmonics/filament_harmonics.h"
+#include "mirrorball/environment/file/compass_heading.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/statistics.h"
 #include "mirrorball/output/baked/brdf_file.h"
@@ -35,6 +36,13 @@ struct DirectionInfo {
   glm::vec3 radiance{0.0f};
 };
 
+/// Where north is in a panorama whose file states a compass heading.
+struct NorthInfo {
+  CompassHeading heading;
+  CompassAxes axes;
+  float column = 0.0f;  ///< of the file's picture, from its left edge [texels]
+};
+
 /// What is known of a map.
 struct MapInfo {
   LoadedEnvironment loaded;
@@ -42,6 +50,8 @@ struct MapInfo {
   RadianceStatistics statistics = {};
   std::optional<FilamentHarmonics> harmonics = {};  ///< that a file for Filament has
   std::optional<DirectionInfo> direction = {};      ///< if it was asked for
+  std::optional<NorthInfo> north = {};
+  bool is_north_alone = false;  ///< no more is asked for
 };
 
 /// What is known of a model.

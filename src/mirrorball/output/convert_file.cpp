@@ -10,6 +10,7 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert/convert_rows.h"
 #include "mirrorball/environment/file/large_panorama.h"
+#include "mirrorball/output/north_mark.h"
 
 namespace mirrorball {
 namespace {
@@ -167,6 +168,18 @@ Result<std::vector<std::string>> convertLoaded(const LoadedEnvironment& loaded, 
   return output.paths();
 }
 
+/// Marks north in a panorama, of which smaller mip levels are then not those of its file.
+Result<void> markNorth(const CompassHeading& heading, LoadedEnvironment& loaded) {
+  EnvironmentMap* const map = loaded.environment.map();
+  if (map == nullptr || !loaded.recognition || map->projection() != Projection::equirect)
+    return fail(ErrorCode::bad_shape,
+                loaded.name + ": a compass heading is that of a panorama's middle, and this map is " +
+                    (loaded.recognition ? textOf(loaded.recognition->form) : "a function of the direction"));
+  drawNorth(compassAxes(heading, loaded.recognition->form.centre), *map);
+  loaded.levels = 1;
+  return {};
+}
+
 }  // namespace
 
 MapFileOptions keepingLayout(const LoadedEnvironment& loaded, const std::string& path, MapFileOptions options) {
@@ -189,7 +202,11 @@ Result<SavedMap> convertFile(const std::string& input, const std::string& output
   SavedMap saved;
   const Observer keeping = observer.keeping(saved.remarks);
   MIRRORBALL_TRY_VOID(checkConversion(input, output, conversion));
-  MIRRORBALL_TRY(panorama, openPanorama(input, conversion.load));
+  std::optional<PanoramaRows> panorama;
+  if (!conversion.marked_north) {
+    MIRRORBALL_TRY(opened, openPanorama(input, conversion.load));
+    panorama = std::move(opened);
+  }
   if (panorama && isLarge(*panorama)) {
     MIRRORBALL_TRY(file,
                    outputOf(input, output, conversion.file, conversion.to.value_or(Projection::equirect), keeping));
@@ -198,6 +215,7 @@ Result<SavedMap> convertFile(const std::string& input, const std::string& output
     return saved;
   }
   MIRRORBALL_TRY(loaded, loadEnvironment(input, conversion.load));
+  if (conversion.marked_north) MIRRORBALL_TRY_VOID(markNorth(*conversion.marked_north, loaded));
   MIRRORBALL_TRY(paths, convertLoaded(loaded, output, conversion, keeping));
   saved.paths = std::move(paths);
   return saved;

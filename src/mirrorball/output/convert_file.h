@@ -5,6 +5,7 @@
 
 #include "mirrorball/base/observer.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/compass_heading.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/output/map_file.h"
 #include "mirrorball/output/save_map.h"
@@ -18,6 +19,7 @@ struct FileConversion {
   Resampling resampling = {};
   EnvironmentLoadOptions load = {};
   MapFileOptions file = {};
+  std::optional<CompassHeading> marked_north = {};  ///< of a panorama: draw a mark where its north is (drawNorth)
 };
 
 /// How a map is written in the form that it was read in: with its own layout of a cube, where the options leave that
@@ -37,7 +39,8 @@ Result<void> checkConversion(const std::string& input, const std::string& output
 ///
 /// input    a file, or a built-in environment
 /// output   one file, or the name from which a cube's six are named
-/// errors   as loadEnvironment's, convert's and saveMap's; usage: the output is the input
+/// errors   as loadEnvironment's, convert's and saveMap's; usage: the output is the input; bad_shape: north is to be
+///          marked, and the map is not a panorama
 /// cost     docs/performance.md; bit-identical for any number of threads
 Result<SavedMap> convertFile(const std::string& input, const std::string& output, const FileConversion& conversion = {},
                              const Observer& observer = {});

@@ -13,9 +13,8 @@ struct Release {
 };
 using Data = std::unique_ptr<ExifData, Release>;
 
-/// The first value of a tag, wherever it stands: writers disagree about the directories.
-std::optional<double> numberOf(const Data& data, ExifTag tag) {
-  const ExifEntry* entry = exif_data_get_entry(data.get(), tag);
+/// The first value of an entry, which may be absent.
+std::optional<double> numberIn(const Data& data, const ExifEntry* entry) {
   if (!entry || !entry->data || entry->components < 1) return {};
   if (entry->size < exif_format_get_size(entry->format)) return {};
   const ExifByteOrder order = exif_data_get_byte_order(data.get());
@@ -35,6 +34,27 @@ std::optional<double> numberOf(const Data& data, ExifTag tag) {
     default:
       return {};
   }
+}
+
+/// The first value of a tag, wherever it stands: writers disagree about the directories.
+std::optional<double> numberOf(const Data& data, ExifTag tag) {
+  return numberIn(data, exif_data_get_entry(data.get(), tag));
+}
+
+/// An entry of the GPS directory, whose tags have the numbers of other directories' tags.
+const ExifEntry* gpsEntry(const Data& data, unsigned tag) {
+  return exif_content_get_entry(data->ifd[EXIF_IFD_GPS], static_cast<ExifTag>(tag));
+}
+
+/// Where the camera looked, in EXIF's numbers for GPSImgDirectionRef (a letter, 'T' or 'M') and GPSImgDirection.
+void readDirection(const Data& data, Exif& exif) {
+  constexpr unsigned kImageDirectionRef = 16, kImageDirection = 17;
+  const auto direction = numberIn(data, gpsEntry(data, kImageDirection));
+  if (!direction || !(*direction >= 0.0 && *direction <= 360.0)) return;
+  exif.image_direction_deg = direction;
+  const ExifEntry* reference = gpsEntry(data, kImageDirectionRef);
+  exif.is_direction_magnetic =
+      reference != nullptr && reference->data != nullptr && reference->size > 0 && reference->data[0] == 'M';
 }
 
 std::optional<double> positive(std::optional<double> number) {
@@ -65,6 +85,7 @@ Exif readExif(std::span<const std::uint8_t> jpeg) {
   exif.f_number = fNumber(data);
   exif.iso = positive(numberOf(data, EXIF_TAG_ISO_SPEED_RATINGS));
   exif.focal_length_35mm = positive(numberOf(data, EXIF_TAG_FOCAL_LENGTH_IN_35MM_FILM));
+  readDirection(data, exif);
   const auto orientation = numberOf(data, EXIF_TAG_ORIENTATION);
   if (orientation && *orientation >= 1.0 && *orientation <= 8.0) exif.orientation = static_cast<int>(*orientation);
   return exif;

@@ -18,7 +18,7 @@ inline Bytes withExif(const Bytes& jpeg, const Exif& exif) {
     exif_content_add_entry(data->ifd[directory], entry);
     entry->tag = tag;
     entry->format = format;
-    entry->components = 1;
+    entry->components = format == EXIF_FORMAT_ASCII ? size : 1;
     entry->size = size;
     entry->data = static_cast<unsigned char*>(std::calloc(1, size));
     exif_entry_unref(entry);
@@ -36,6 +36,12 @@ inline Bytes withExif(const Bytes& jpeg, const Exif& exif) {
   if (exif.f_number) addRational(EXIF_TAG_FNUMBER, *exif.f_number);
   if (exif.iso) addShort(EXIF_IFD_EXIF, EXIF_TAG_ISO_SPEED_RATINGS, *exif.iso);
   if (exif.focal_length_35mm) addShort(EXIF_IFD_EXIF, EXIF_TAG_FOCAL_LENGTH_IN_35MM_FILM, *exif.focal_length_35mm);
+  if (exif.image_direction_deg) {
+    constexpr auto kReference = static_cast<ExifTag>(16), kDirection = static_cast<ExifTag>(17);
+    add(EXIF_IFD_GPS, kReference, EXIF_FORMAT_ASCII, 2)[0] = exif.is_direction_magnetic ? 'M' : 'T';
+    exif_set_rational(add(EXIF_IFD_GPS, kDirection, EXIF_FORMAT_RATIONAL, 8), EXIF_BYTE_ORDER_INTEL,
+                      {static_cast<ExifLong>(*exif.image_direction_deg * 1e5 + 0.5), 100000});
+  }
   unsigned char* segment = nullptr;
   unsigned size = 0;
   exif_data_save_data(data, &segment, &size);

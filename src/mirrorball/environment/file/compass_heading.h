@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/environment/cube/cube_arrangement.h"
+
+namespace mirrorball {
+
+/// Where the middle of a panorama points, as cameras and stitching programs store it.
+struct CompassHeading {
+  double heading_deg = 0.0;  ///< clockwise from north as seen from above, 0 … 360
+  double pitch_deg = 0.0;    ///< above the horizon, −90 … 90
+  double roll_deg = 0.0;  ///< of the camera, clockwise as it looks: the horizon turns counter-clockwise; −180 … 180
+  bool is_magnetic = false;  ///< from the magnetic pole, not from the geographic one
+  std::string source = {};   ///< the field that it comes from: "GPano:PoseHeadingDegrees"
+};
+
+/// Directions of the world in a map (unit), in our axes.
+struct CompassAxes {
+  glm::vec3 north;
+  glm::vec3 up;
+};
+
+/// Where north and up are in a panorama.
+///
+/// centre   our direction in the middle of its picture: MapForm::centre
+/// from     Google, Photo Sphere XMP Metadata: PoseHeadingDegrees, PosePitchDegrees, PoseRollDegrees
+CompassAxes compassAxes(const CompassHeading& heading, SignedAxis centre = SignedAxis::plus_z);
+
+}  // namespace mirrorball

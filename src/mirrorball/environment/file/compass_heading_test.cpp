@@ -1,0 +1,53 @@
+#include "mirrorball/environment/file/compass_heading.h"
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/projection/projection.h"
+
+namespace mirrorball {
+namespace {
+
+/// Where a direction is in a panorama: columns to the right of its middle and rows above it, in degrees.
+glm::vec2 placeInPicture(glm::vec3 direction) {
+  const glm::vec2 uv = positionOf(Projection::equirect, direction).uv;
+  return {360.0f * (uv.x - 0.5f), 180.0f * (0.5f - uv.y)};
+}
+
+void expectAt(const CompassHeading& heading, glm::vec2 place) {
+  const glm::vec2 found = placeInPicture(compassAxes(heading).north);
+  EXPECT_NEAR(found.x, place.x, 1e-3f) << heading.heading_deg;
+  EXPECT_NEAR(found.y, place.y, 1e-3f) << heading.heading_deg;
+}
+
+// Who looks east has north on the left.
+TEST(CompassHeading, NorthIsAsFarToTheLeftAsTheMiddleIsToTheEast) {
+  expectAt({.heading_deg = 0.0}, {0.0f, 0.0f});
+  expectAt({.heading_deg = 90.0}, {-90.0f, 0.0f});
+  expectAt({.heading_deg = 330.0}, {30.0f, 0.0f});
+  expectAt({.heading_deg = 0.25}, {-0.25f, 0.0f});
+  EXPECT_EQ(compassAxes({.heading_deg = 37.0}).up, glm::vec3(0.0f, 1.0f, 0.0f));
+}
+
+// A camera that looks north and up sees the horizon below; one that looks south has it above its back.
+TEST(CompassHeading, TheHorizonOfATiltedPictureIsTilted) {
+  expectAt({.heading_deg = 0.0, .pitch_deg = 10.0}, {0.0f, -10.0f});
+  expectAt({.heading_deg = 90.0, .pitch_deg = 10.0}, {-90.0f, 0.0f});
+  const glm::vec2 behind = placeInPicture(compassAxes({.heading_deg = 180.0, .pitch_deg = 10.0}).north);
+  EXPECT_NEAR(std::abs(behind.x), 180.0f, 1e-3f);
+  EXPECT_NEAR(behind.y, 10.0f, 1e-3f);
+  // The horizon turns counter-clockwise: it falls on the left.
+  expectAt({.heading_deg = 90.0, .roll_deg = 5.0}, {-90.0f, -5.0f});
+  expectAt({.heading_deg = 0.0, .roll_deg = 5.0}, {0.0f, 0.0f});
+  const CompassAxes axes = compassAxes({.heading_deg = 70.0, .pitch_deg = -20.0, .roll_deg = 33.0});
+  EXPECT_NEAR(glm::dot(axes.north, axes.up), 0.0f, 1e-6f);
+}
+
+TEST(CompassHeading, ThePicturesMiddleMayBeAnotherOfOurAxes) {
+  const glm::vec3 north = compassAxes({.heading_deg = 0.0}, SignedAxis::minus_z).north;
+  EXPECT_LT(glm::distance(north, glm::vec3(0.0f, 0.0f, -1.0f)), 1e-6f);
+  EXPECT_LT(glm::distance(compassAxes({.heading_deg = 0.0}, SignedAxis::plus_x).north, glm::vec3(1.0f, 0.0f, 0.0f)),
+            1e-6f);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -28,8 +28,8 @@ struct ScaledMap {
 /// factor    K, at least 0
 /// settings  lamps wider than `max_size_deg` stay as they are
 /// errors    out_of_range: the light is too bright for a float
-/// cost      findLamps', 1 µs for each texel of a lamp and of its glow, and 2 ns for each of them and each 1.5° of their
-///           border; for a map that is neither a panorama nor a cube a look-up for each texel. Memory: that of
+/// cost      findLamps', 1 µs for each texel of a lamp and of its glow, and 2 ns for each of them and each 1.5° of
+///           their border; for a map that is neither a panorama nor a cube a look-up for each texel. Memory: that of
 ///           `searched` and a float for each of its texels; bit-identical for any number of threads
 Result<ScaledMap> scaleLamps(EnvironmentMap map, const EnvironmentMap& searched, float factor,
                              const LampSettings& settings = {});

@@ -19,13 +19,13 @@ struct Stroke {
   glm::vec2 end;
 };
 
-constexpr std::array<Stroke, 4> kStrokes{{{{0.0f, -6.0f}, {0.0f, 4.0f}},
-                                          {{-1.7f, 6.0f}, {-1.7f, 11.0f}},
-                                          {{-1.7f, 11.0f}, {1.7f, 6.0f}},
-                                          {{1.7f, 6.0f}, {1.7f, 11.0f}}}};
-constexpr float kHalfWidth_deg = 0.25f;
-constexpr float kEdge_deg = 0.25f;   // of the dark edge
-constexpr float kReach_deg = 14.0f;  // of the whole mark
+constexpr std::array<Stroke, 4> kStrokes{{{{0.0f, -8.0f}, {0.0f, 5.0f}},
+                                          {{-2.6f, 7.0f}, {-2.6f, 15.0f}},
+                                          {{-2.6f, 15.0f}, {2.6f, 7.0f}},
+                                          {{2.6f, 7.0f}, {2.6f, 15.0f}}}};
+constexpr float kHalfWidth_deg = 0.4f;
+constexpr float kEdge_deg = 0.3f;    // of the dark edge
+constexpr float kReach_deg = 18.0f;  // of the whole mark
 constexpr float kTexel_deg = 0.35f;  // that the mark is drawn for; larger texels have a larger mark
 constexpr float kLargest = 6.0f;     // times as large
 constexpr float kTimesTheMean = 4.0f;
@@ -85,7 +85,7 @@ void drawNorth(const CompassAxes& axes, EnvironmentMap& panorama) {
     sum += double(std::max(light, 0.0f));
     ++count;
   });
-  const auto white = count > 0 && sum > 0.0 ? float(double(kTimesTheMean) * sum / double(count)) : 1.0f;
+  const float white = std::max(kTimesTheMean * float(sum / double(std::max(count, std::size_t(1)))), 1.0f);
   forTexelsOfMark([&](int x, int y, glm::vec2 place) {
     float distance = kReach_deg;
     for (const Stroke& stroke : kStrokes) distance = std::min(distance, distanceTo(stroke, place));

@@ -19,21 +19,65 @@ FN float squaredDistance(vec3 a, vec3 b) {
 // same then.
 FN float shownRadius(Sun sun, float footprint) { return max(sun.radius, sqrt(footprint)); }
 
+// How far squared distances are from where half of a round lobe lies in a disc, but at least as far as the lobe itself
+// reaches over the disc's edge.
+//   beyond   the squared distance of the two middles, plus the lobe's squared width, less the disc's squared radius
+FN float spanAtEdge(float beyond, float width2, float radius) {
+  return sqrt(beyond * beyond + 4.0f * width2 * radius * radius);
+}
+
+// A share of a lobe with an edge that is as wide as a sample sees: the edge of a lobe is softer by itself.
+//   seen        what a sample covers, across; 0: a point
+FN float softenedShare(float share, float span, float radius, float seen) {
+  float edge = max(seen, 1e-6f) * radius;
+  return span < edge ? 0.5f - (0.5f - share) * (span / edge) : share;
+}
+
 // The share of a round lobe that a disc beside its middle catches. The lobe is width² / (π (width² + r²)²), GGX's
 // density of slopes: the stereographic picture of an even sphere, in which discs are caps, and their share is the area
-// of one. With the width 0 it is 1 within the disc and 0 beyond, over an edge that is as wide as a sample sees:
-// the edge of a lobe is softer by itself.
+// of one. With the width 0 it is 1 within the disc and 0 beyond.
 //   distance2   of the two middles, squared
 //   seen        what a sample covers, across; 0: a point
 FN float shareInDisc(float distance2, float radius, float width, float seen) {
   float beyond = distance2 + width * width - radius * radius;
-  float caught = 2.0f * width * width * radius * radius;
-  float root = sqrt(beyond * beyond + 2.0f * caught);
-  float edge = max(seen, 1e-6f) * radius;
-  if (root < edge) return 0.5f - 0.5f * beyond / edge;
-  if (beyond <= 0.0f) return 0.5f - 0.5f * beyond / root;
+  float span = max(spanAtEdge(beyond, width * width, radius), 1e-30f);
+  float share = 0.5f - 0.5f * beyond / span;
   // The same without a difference of nearly equal numbers.
-  return caught / (root * (root + beyond));
+  if (beyond > 0.0f) share = 2.0f * width * width * radius * radius / (span * (span + beyond));
+  return softenedShare(share, span, radius, seen);
+}
+
+// The share of GGX's density of slopes that an ellipse beside its middle catches; the lobe's width is 1. The slopes are
+// the gnomonic picture of a hemisphere whose density is the cosine, so that the share is the form factor of an elliptic
+// cone, as of a disc in linearly transformed cosines (Heitz & Hill 2017, "Real-time line- and disk-light shading"):
+// −λ n·e / √((λ₁ − λ) (λ₂ − λ)), λ the negative eigenvalue of the cone's quadratic form and e its eigenvector. With
+// −λ = x and the ellipse { middle + M u, |u| ≤ 1 } of spread S = M Mᵀ, the characteristic polynomial becomes
+//   x (1 + middleᵀ (1 + x S)⁻¹ middle) = 1,
+// whose left side is increasing and concave: from a bound below its one root on, Newton's steps come nearer from one
+// side. The bound is the root for a circle, which is exact for one; three steps leave 1e-3 of the greatest share.
+//   spread      S.xx, S.xy, S.yy
+//   area        of the ellipse, over π: √det S, at least 0
+FN float shareInEllipse(vec2 middle, vec3 spread, float area) {
+  float distance2 = dot(middle, middle);
+  float trace = spread.x + spread.z;
+  float det = area * area;
+  float across2 = spread.z * middle.x * middle.x - 2.0f * spread.y * middle.x * middle.y +
+                  spread.x * middle.y * middle.y;
+  across2 = max(across2, 1e-30f);
+  float circle = max(min(area * (area * (distance2 / across2)), trace), 1e-30f);
+  float beyond = 1.0f + distance2 - circle;
+  float root = sqrt(beyond * beyond + 4.0f * circle);
+  float x = beyond > 0.0f ? 2.0f / (beyond + root) : (root - beyond) / (2.0f * circle);
+  for (int i = 0; i < 3; ++i) {
+    float widened = 1.0f + x * (trace + x * det);
+    float seen = (distance2 + x * across2) / widened;
+    float slope = (across2 - seen * (trace + 2.0f * x * det)) / widened;
+    x += (1.0f - x * (1.0f + seen)) / (1.0f + seen + x * slope);
+  }
+  float widened = 1.0f + x * (trace + x * det);
+  vec2 turned = vec2((1.0f + x * spread.z) * middle.x - x * spread.y * middle.y,
+                     (1.0f + x * spread.x) * middle.y - x * spread.y * middle.x) / widened;
+  return x * area / (sqrt(widened) * (1.0f + dot(turned, turned)));
 }
 
 // The mean cosine of reflected directions of GGX's facets about their mirror direction, seen from straight above; those

@@ -5,25 +5,34 @@ const float kLeastSunAlpha = 2e-5f;  // a mirror's, far narrower than any sun
 
 // What facets reflect of a disc towards v, without Fresnel's factor, for a unit of irradiance of a surface that faces
 // it: the mean over the disc of D G / (4 v.z).
-// In slopes of facets the lobe is round (shareInDisc), and the disc about an ellipse of area A = Ω / (4 (v·h) h.z³):
-// ∫ D / 4 dω = (share of the slopes) (v·h) / h.z. Of a wide lobe that share is its density times A. Of a narrow one it
-// is 1 where the mirror direction lies in the disc; so the two distances are compared on the way from there to the
-// disc's middle.
+// In slopes of facets the lobe is round, and the disc is about an ellipse: seen at an angle, facets turn light across
+// the plane of incidence by 2 v·h times their slope only, so that the ellipse is that much longer. With
+// slope = (v + l).xy / (v + l).z it is the image of the disc by the slope's derivative J: its spread is radius² J Jᵀ on
+// the plane across l. ∫ D / 4 dω = (share of the slopes) (v·h) / h.z.
+// Of a lobe that is narrower than a sample, the edge is as wide as the sample sees.
 //   l        towards the middle of the disc, in the frame of v
 //   seen     what a sample covers, across [rad]
 FN float discInFacets(vec2 alpha, vec3 v, vec3 l, float radius, float seen) {
-  vec3 h = normalize(v + l);
+  vec3 between = v + l;
+  vec3 h = normalize(between);
   float cosine = max(dot(v, h), 1e-4f);
-  vec2 slopes = vec2(h.x, h.y) / (max(h.z, 1e-4f) * alpha);
-  float widths2 = dot(slopes, slopes);
+  vec2 slope = vec2(between.x, between.y) / between.z;
+  vec2 along = vec2(l.x, l.y) - slope * l.z;
+  // Lower down slopes change so much over the disc, by 3 at twice its radius, that the derivative makes too much of it.
+  float height = max(between.z, 2.0f * radius);
+  vec2 scale = vec2(radius / height) / alpha;
+  vec3 spread = vec3(scale.x * scale.x * max(1.0f + slope.x * slope.x - along.x * along.x, 0.0f),
+                     scale.x * scale.y * (slope.x * slope.y - along.x * along.y),
+                     scale.y * scale.y * max(1.0f + slope.y * slope.y - along.y * along.y, 0.0f));
+  vec2 widths = slope / alpha;
+  float share = shareInEllipse(widths, spread, scale.x * scale.y * dot(between, l) / height);
+  // The lobe's squared width among directions: the mean, or on the way from the mirror direction to the disc.
+  float widths2 = dot(widths, widths);
   float distance2 = squaredDistance(vec3(-v.x, -v.y, v.z), l);
-  // The lobe's squared width among directions: the mean, and along that way.
-  float mean2 = alpha.x * alpha.y * 4.0f * cosine * h.z * h.z * h.z;
-  float along2 = widths2 > 1e-8f ? distance2 / widths2 : mean2;
-  float share = shareInDisc(distance2, radius, sqrt(along2), seen);
-  float disc2 = radius * radius;
-  share *= mix(along2 / max(mean2, 1e-20f), 1.0f, disc2 / (disc2 + mean2));
-  return ggxMaskingShadowing(alpha, v, l) * cosine / (v.z * max(h.z, 1e-4f)) * share / (kPi * disc2);
+  float width2 = widths2 > 1e-8f ? distance2 / widths2 : alpha.x * alpha.y * 4.0f * cosine * h.z * h.z * h.z;
+  float span = spanAtEdge(distance2 + width2 - radius * radius, width2, radius);
+  share = softenedShare(share, span, radius, seen);
+  return ggxMaskingShadowing(alpha, v, l) * cosine / (v.z * max(h.z, 1e-4f)) * share / (kPi * radius * radius);
 }
 
 // The radiance towards the viewer of a surface that a sun shines on which nothing hides.

@@ -13,6 +13,8 @@ layout(std140) uniform FrameBlock {
   float screen_unit;       // world units; of the distances in the picture of opaque surfaces
   vec3 shown_low;          // the box around all that the picture of opaque surfaces shows
   vec3 shown_high;
+  vec4 pixel_cell;         // of the pixel, which the sample that is drawn stands for: from its place to the cell's
+                           // middle, and the cell's size (render/surface/pixel_cells.h)
   float samples_per_pixel;
   float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int inner_bounces;       // surfaces that light meets after the first, where bodies are traced

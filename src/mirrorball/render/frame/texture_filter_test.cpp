@@ -125,7 +125,7 @@ TEST_P(FilteredFrameTest, NearestShowsSingleTexelsOfTheEnvironment) {
 // a map, once blurred it as if it were matt, to 26 dB with 40 pixels.
 TEST_P(FilteredFrameTest, ASmallPolishedBallIsNotSmeared) {
   const Environment studio = testing::coarseBuiltin("studio");
-  for (const auto& [side, least] : {std::pair(40, 35.0), std::pair(80, 38.0)}) {
+  for (const auto& [side, least] : {std::pair(40, 44.0), std::pair(80, 50.0)}) {
     FrameSettings settings = seenFrom(30, 15, 64);
     settings.size = {side, side};
     settings.camera.orthographic_height = 2.0f;

@@ -206,7 +206,7 @@ Result<int> View::drawSample() {
   const FrameSettings& settings = *state.wanted;
   const int drawn = on.samples->count();
   if (drawn == settings.samples) return drawn;
-  const glm::vec2 offset_px = formula::sampleOffset(drawn, settings.samples) - 0.5f;
+  const glm::vec2 offset_px = 0.5f - placeOfSample(drawn, settings.samples);
   FrameUniforms of_sample = on.frame;
   of_sample.sample.camera = shifted(on.frame.sample.camera, offset_px, settings.size);
   of_sample.sample.number = drawn;

@@ -222,6 +222,9 @@ void SurfaceDrawing::setFrame(const SurfacePrograms& programs, const FrameUnifor
   constexpr float kNowhere = 1e30f;
   block.set("shown_low", frame.screen.shown.isEmpty() ? glm::vec3(kNowhere) : frame.screen.shown.low);
   block.set("shown_high", frame.screen.shown.isEmpty() ? glm::vec3(kNowhere) : frame.screen.shown.high);
+  if (cells_.size() != static_cast<std::size_t>(settings.samples)) cells_ = pixelCells(settings.samples);
+  const PixelCell& cell = cells_[static_cast<std::size_t>(frame.sample.number)];
+  block.set("pixel_cell", glm::vec4(cell.middle - placeOfSample(frame.sample.number, settings.samples), cell.size));
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample.number) + 0.5f) / static_cast<float>(settings.samples));
   block.set("inner_bounces", settings.inner_bounces);

@@ -12,6 +12,7 @@
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/frame_uniforms.h"
+#include "mirrorball/render/surface/pixel_cells.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_programs.h"
 #include "mirrorball/scene/scene.h"
@@ -110,6 +111,7 @@ class SurfaceDrawing {
   CoordinateChoice coordinates_;  ///< of the frame
   FrameUniforms uniforms_;        ///< of the sample
   std::optional<gl::UniformBlock> frame_;
+  std::vector<PixelCell> cells_;  ///< of the samples of a pixel
   std::shared_ptr<const gl::BlockLayout> light_layout_;
   std::vector<SurfaceLight> lights_;            ///< of the sample: the environment's, then those of probes
   std::vector<gl::UniformBlock> light_blocks_;  ///< of these

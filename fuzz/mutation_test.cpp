@@ -124,7 +124,7 @@ TEST(AvifParts, AreThoseOfTheFileWhereverItsItemsAre) {
 /// Memory is taken for the size in the data, wherever that is. Where libavif says where it is, it is looked at before
 /// decoding; in `idat` it is not, and dav1d refuses it by its limit.
 TEST(AvifParts, DataLargerThanTheFileSaysIsRefusedWhereverItIs) {
-  auto parts = avifPartsIn(testing::avifOf(Image8(1024, 1024, 3)));
+  auto parts = avifPartsIn(testing::avifFile(Image8(1024, 1024, 3)));
   ASSERT_TRUE(parts);
   FileBox* iprp = firstBox(firstBox(parts->boxes, "meta")->boxes, "iprp");
   FileBox* size = firstBox(firstBox(iprp->boxes, "ipco")->boxes, "ispe");

@@ -202,7 +202,7 @@ void addImages(Corpus& corpus) {
 void addTiffs(Corpus& corpus) {
   const auto add = [&](const std::string& seed, testing::TiffForm form) {
     form.width = form.width == 5 ? 9 : form.width;
-    corpus.add("tiff", seed, testing::tiffOf(form, testing::tiffSamples(form)));
+    corpus.add("tiff", seed, testing::tiffFile(form, testing::tiffSamples(form)));
   };
   add("lzw", {.compression = COMPRESSION_LZW, .predictor = PREDICTOR_HORIZONTAL});
   add("planes_big_endian", {.bits = 16, .compression = COMPRESSION_ADOBE_DEFLATE, .is_by_planes = true, .mode = "wb"});
@@ -235,7 +235,7 @@ void addTiffs(Corpus& corpus) {
                                  .kind = SAMPLEFORMAT_IEEEFP,
                                  .photometric = static_cast<std::uint16_t>(photometric),
                                  .compression = static_cast<std::uint16_t>(compression)};
-    corpus.add("tiff", name, testing::tiffOf(form, testing::bytesOfNumbers(testing::tiffFloats(form))));
+    corpus.add("tiff", name, testing::tiffFile(form, testing::bytesOfNumbers(testing::tiffFloats(form))));
   }
 }
 
@@ -254,48 +254,49 @@ void addAvifsAndJxls(Corpus& corpus) {
   for (const int channels : {3, 4}) {
     const std::string kind = std::to_string(channels);
     const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
-    corpus.add("avif", "bits8_" + kind, testing::avifOf(picture));
-    corpus.add("avif", "turned_" + kind, testing::avifOf(picture, testing::AvifForm{.quarters = 3, .mirrors = true}));
+    corpus.add("avif", "bits8_" + kind, testing::avifFile(picture));
+    corpus.add("avif", "turned_" + kind, testing::avifFile(picture, testing::AvifForm{.quarters = 3, .mirrors = true}));
     ImageOf<std::uint16_t> codes(9, 7, channels, 1000);
-    corpus.add("avif", "pq_" + kind, testing::avifOf(codes, testing::AvifForm{10, 9, 16}));
-    corpus.add("jxl", "bits8_" + kind, testing::jxlOf(picture));
-    corpus.add("jxl", "bits16_" + kind, testing::jxlOf(codes, testing::JxlForm{JXL_TRANSFER_FUNCTION_HLG}));
-    corpus.add("jxl", "lossy_" + kind, testing::jxlOf(picture, testing::JxlForm{.is_lossy = true}));
+    corpus.add("avif", "pq_" + kind, testing::avifFile(codes, testing::AvifForm{10, 9, 16}));
+    corpus.add("jxl", "bits8_" + kind, testing::jxlFile(picture));
+    corpus.add("jxl", "bits16_" + kind, testing::jxlFile(codes, testing::JxlForm{JXL_TRANSFER_FUNCTION_HLG}));
+    corpus.add("jxl", "lossy_" + kind, testing::jxlFile(picture, testing::JxlForm{.is_lossy = true}));
     corpus.add("jxl", "floats_" + kind,
-               testing::jxlOf(gradient(9, 7, channels), testing::JxlForm{JXL_TRANSFER_FUNCTION_LINEAR}));
+               testing::jxlFile(gradient(9, 7, channels), testing::JxlForm{JXL_TRANSFER_FUNCTION_LINEAR}));
   }
 }
 
 /// TGA, BMP, and Netpbm's.
 void addPlainPictures(Corpus& corpus) {
   const Bytes texels(64, 99);
-  corpus.add("tga", "colors", testing::tgaOf({.id = "name"}, texels));
-  corpus.add("tga", "alpha", testing::withTgaFooter(testing::tgaOf({.bits = 32, .descriptor = 0x18}, texels), 4));
+  corpus.add("tga", "colors", testing::tgaFile({.id = "name"}, texels));
+  corpus.add("tga", "alpha", testing::withTgaFooter(testing::tgaFile({.bits = 32, .descriptor = 0x18}, texels), 4));
   corpus.add("tga", "short_colors",
-             testing::tgaOf({.type = 10, .bits = 16, .descriptor = 1}, {131, 1, 2, 1, 3, 4, 5, 6}));
-  corpus.add("tga", "grey", testing::tgaOf({.type = 11, .bits = 8}, {1, 9, 8, 131, 7}));
-  corpus.add("tga", "grey_alpha", testing::tgaOf({.type = 3, .bits = 16}, texels));
+             testing::tgaFile({.type = 10, .bits = 16, .descriptor = 1}, {131, 1, 2, 1, 3, 4, 5, 6}));
+  corpus.add("tga", "grey", testing::tgaFile({.type = 11, .bits = 8}, {1, 9, 8, 131, 7}));
+  corpus.add("tga", "grey_alpha", testing::tgaFile({.type = 3, .bits = 16}, texels));
   corpus.add("tga", "palette",
-             testing::tgaOf({.type = 1, .bits = 8, .palette_first = 1, .palette_length = 2, .palette_bits = 24},
-                            {1, 2, 3, 4, 5, 6, 1, 2, 1, 2, 1, 2}));
+             testing::tgaFile({.type = 1, .bits = 8, .palette_first = 1, .palette_length = 2, .palette_bits = 24},
+                              {1, 2, 3, 4, 5, 6, 1, 2, 1, 2, 1, 2}));
 
-  corpus.add("bmp", "colors", testing::bmpOf({}, texels));
-  corpus.add("bmp", "core", testing::bmpOf({.header = 12, .bits = 1, .palette = {0, 0xffffff}}, texels));
-  corpus.add("bmp", "palette", testing::bmpOf({.height = -2, .bits = 4, .palette = {1, 2, 3, 4, 5, 6, 7}}, texels));
+  corpus.add("bmp", "colors", testing::bmpFile({}, texels));
+  corpus.add("bmp", "core", testing::bmpFile({.header = 12, .bits = 1, .palette = {0, 0xffffff}}, texels));
+  corpus.add("bmp", "palette", testing::bmpFile({.height = -2, .bits = 4, .palette = {1, 2, 3, 4, 5, 6, 7}}, texels));
   const std::vector<std::uint32_t> colors{0, 0xff0000, 0xff00, 0xff};
   corpus.add("bmp", "rle8",
-             testing::bmpOf({.bits = 8, .compression = 1, .palette = colors},
-                            {2, 1, 1, 2, 0, 0, 0, 2, 1, 0, 0, 3, 1, 2, 3, 0, 0, 1}));
-  corpus.add("bmp", "rle4",
-             testing::bmpOf({.bits = 4, .compression = 2, .palette = colors}, {3, 0x12, 0, 0, 0, 3, 0x12, 0x30, 0, 1}));
+             testing::bmpFile({.bits = 8, .compression = 1, .palette = colors},
+                              {2, 1, 1, 2, 0, 0, 0, 2, 1, 0, 0, 3, 1, 2, 3, 0, 0, 1}));
+  corpus.add(
+      "bmp", "rle4",
+      testing::bmpFile({.bits = 4, .compression = 2, .palette = colors}, {3, 0x12, 0, 0, 0, 3, 0x12, 0x30, 0, 1}));
   corpus.add("bmp", "masks",
-             testing::bmpOf({.header = 124,
-                             .bits = 32,
-                             .compression = 3,
-                             .masks = {0x3ff00000, 0xffc00, 0x3ff, 0xc0000000},
-                             .profile = testing::iccProfile("Display P3")},
-                            texels));
-  corpus.add("bmp", "short_colors", testing::bmpOf({.bits = 16}, texels));
+             testing::bmpFile({.header = 124,
+                               .bits = 32,
+                               .compression = 3,
+                               .masks = {0x3ff00000, 0xffc00, 0x3ff, 0xc0000000},
+                               .profile = testing::iccProfile("Display P3")},
+                              texels));
+  corpus.add("bmp", "short_colors", testing::bmpFile({.bits = 16}, texels));
 
   corpus.add("pnm", "pbm_text", bytesOf("P1 # one\n3 2\n1 0 1\n010"));
   corpus.add("pnm", "pgm_text", bytesOf("P2\n3 2 15\n1 2 3 4 5 15\n"));

@@ -145,7 +145,7 @@ void tellBlindCone(const BallView& view) {
 
 /// An error that names the option of its own side of the ball.
 Error ofSide(const BallSide& side, Error error) {
-  if (error.remedy != Remedy::give_circle) return error;
+  if (error.fix_hint != FixHint::give_circle) return error;
   return {error.code, error.message + "; give it with " + side.circle_option + " X,Y,R in pixels"};
 }
 

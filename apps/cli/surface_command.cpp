@@ -158,7 +158,7 @@ Result<void> surface(SurfaceRequest& request) {
   request.options.has_scale = request.given.contains("scale");
   auto made = makeSurfaceMap(request.input, request.options);
   // A map is as large as its input: there is no --size.
-  if (!made && made.error().remedy == Remedy::raise_memory_or_shrink) made.error().remedy = Remedy::raise_memory;
+  if (!made && made.error().fix_hint == FixHint::raise_memory_or_shrink) made.error().fix_hint = FixHint::raise_memory;
   MIRRORBALL_TRY(map, std::move(made));
   MIRRORBALL_TRY_VOID(writeNumbers(map, request.output));
   if (map.scale) tell("scale " + formatNumber(double(*map.scale)));

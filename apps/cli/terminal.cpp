@@ -187,39 +187,39 @@ std::string adviceOn(const Remark& remark) {
 }
 
 /// Which option helps, as the end of an error.
-std::string adviceOn(Remedy remedy) {
-  switch (remedy) {
-    case Remedy::none:
+std::string adviceOn(FixHint hint) {
+  switch (hint) {
+    case FixHint::none:
       return "";
-    case Remedy::repair:
+    case FixHint::repair:
       return "; --repair replaces them by their neighbours";
-    case Remedy::raise_memory:
+    case FixHint::raise_memory:
       return "; raise --max-memory";
-    case Remedy::raise_memory_or_shrink:
+    case FixHint::raise_memory_or_shrink:
       return "; --max-memory raises that, a smaller --size needs less";
-    case Remedy::store_floats:
+    case FixHint::store_floats:
       return ", or use --format float32";
-    case Remedy::scale_light:
+    case FixHint::scale_light:
       return "; --scale-light 1e-6 of convert or bake makes them fit";
-    case Remedy::name_projection:
+    case FixHint::name_projection:
       return "; say which it gets: --to " + join(projectionNames(), "|");
-    case Remedy::name_form:
+    case FixHint::name_form:
       return ", or name its form with --from";
-    case Remedy::name_form_of_cube:
+    case FixHint::name_form_of_cube:
       return "; leave --from out, or name cube or eac";
-    case Remedy::take_one_level:
+    case FixHint::take_one_level:
       return ", or one level: convert --level";
-    case Remedy::give_circle:
+    case FixHint::give_circle:
       return "; give it with --circle X,Y,R in pixels";
-    case Remedy::give_exposures:
+    case FixHint::give_exposures:
       return "; give all of them with --exposures, as in --exposures 1/60,1/15,1/4";
-    case Remedy::name_response:
+    case FixHint::name_response:
       return ", or give --response srgb";
-    case Remedy::convert_to_panorama:
+    case FixHint::convert_to_panorama:
       return " (convert --to equirect)";
-    case Remedy::give_angles:
+    case FixHint::give_angles:
       return "; give --camera AZIMUTH,ELEVATION, as in --camera 30,15";
-    case Remedy::resize:
+    case FixHint::resize:
       return ", or --resize the first";
   }
   return "";
@@ -233,7 +233,7 @@ Observer terminalObserver() {
           .progress = [](std::string_view stage) { return progressBar(std::string(stage)); }};
 }
 
-std::string lineOf(const Error& error) { return inCommandWords(error.message) + adviceOn(error.remedy); }
+std::string lineOf(const Error& error) { return inCommandWords(error.message) + adviceOn(error.fix_hint); }
 
 void complain(const Error& error) { say(stderr, "mirrorball: " + lineOf(error)); }
 

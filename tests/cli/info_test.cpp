@@ -21,10 +21,10 @@ using InfoTest = CliTest;
 TEST_F(InfoTest, EveryFormatIsAMap) {
   const Bytes texels(4 * 2 * 3, 255);
   const std::string plain(texels.begin(), texels.end());
-  write("map.tif", tiffOf({.width = 4, .height = 2}, texels));
+  write("map.tif", tiffFile({.width = 4, .height = 2}, texels));
   write("map.webp", webpOf(Image8(4, 2, 3, 255), 101));
-  write("map.tga", tgaOf({.width = 4, .height = 2}, texels));
-  write("map.bmp", bmpOf({.width = 4, .height = 2}, texels));
+  write("map.tga", tgaFile({.width = 4, .height = 2}, texels));
+  write("map.bmp", bmpFile({.width = 4, .height = 2}, texels));
   write("map.ppm", "P6 4 2 255\n" + plain);
   std::string floats = "Pf 4 2 1\n";
   for (int texel = 0; texel < 4 * 2; ++texel) floats += std::string("\x3f\x80\0\0", 4);  // 1, high byte first

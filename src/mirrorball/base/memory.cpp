@@ -43,7 +43,7 @@ thread_local MemoryShare* share_of_thread = nullptr;
 tl::unexpected<Error> tooMuch(std::uint64_t bytes) {
   return fail(ErrorCode::too_large,
               "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) + " may be used",
-              Remedy::raise_memory_or_shrink);
+              FixHint::raise_memory_or_shrink);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Memory, MoreThanTheLimitIsRefused) {
   const auto refused = checkMemory(kGigabyte * 2);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
   EXPECT_EQ(refused.error().message, "needs 2.0 GB of memory, and 1.0 GB may be used");
-  EXPECT_EQ(refused.error().remedy, Remedy::raise_memory_or_shrink);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::raise_memory_or_shrink);
   setMemoryLimit(usual);
 }
 

@@ -25,7 +25,7 @@ enum class ErrorCode {
 
 /// What mends a failure, where the library has a setting or a function for it. Messages name none: a program has words
 /// of its own for them, which it adds (the command line in apps/cli/terminal.cpp).
-enum class Remedy {
+enum class FixHint {
   none,                    ///< the message says all
   repair,                  ///< EnvironmentLoadOptions::repair: bad texels become the mean of their neighbours
   raise_memory,            ///< setMemoryLimit
@@ -49,7 +49,7 @@ enum class Remedy {
 struct Error {
   ErrorCode code = ErrorCode::io;
   std::string message;
-  Remedy remedy = Remedy::none;
+  FixHint fix_hint = FixHint::none;
 };
 
 /// A value or an Error, with std::expected's member names. The library neither exits nor throws.
@@ -75,8 +75,8 @@ class [[nodiscard]] Result<void> : public tl::expected<void, Error> {
 };
 
 /// `return fail(ErrorCode::bad_file, "is truncated at byte 9");`
-inline tl::unexpected<Error> fail(ErrorCode code, std::string message, Remedy remedy = Remedy::none) {
-  return tl::unexpected<Error>(Error{code, std::move(message), remedy});
+inline tl::unexpected<Error> fail(ErrorCode code, std::string message, FixHint hint = FixHint::none) {
+  return tl::unexpected<Error>(Error{code, std::move(message), hint});
 }
 
 /// Passes on the Error of a failed Result.

@@ -95,12 +95,12 @@ INSTANTIATE_TEST_SUITE_P(
                                     return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
                                   }},
                       DamagedFile{"HdrOldRle", oldRleHdr},
-                      DamagedFile{"Tga",
-                                  [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
-                      DamagedFile{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
+                      DamagedFile{
+                          "Tga", [] { return testing::tgaFile({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
+                      DamagedFile{"Bmp", [] { return testing::bmpFile({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
                       DamagedFile{"BmpRle",
                                   [] {
-                                    return testing::bmpOf(
+                                    return testing::bmpFile(
                                         {.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
                                         {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
                                   }},

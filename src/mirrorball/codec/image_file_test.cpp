@@ -145,9 +145,10 @@ TEST(ImageFile, ALargeFileOfNothingIsNotRead) {
 TEST(ImageFile, ALargeTgaIsRead) {
   const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "large.tga";
   constexpr int kSide = 2400;
-  const Bytes tga = testing::withTgaFooter(
-      testing::tgaOf({.width = kSide, .height = kSide}, std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 90)),
-      0);
+  const Bytes tga =
+      testing::withTgaFooter(testing::tgaFile({.width = kSide, .height = kSide},
+                                              std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 90)),
+                             0);
   ASSERT_TRUE(writeFile(path, tga));
   const auto image = readImage(path);
   ASSERT_TRUE(image) << image.error().message;

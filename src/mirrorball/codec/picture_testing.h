@@ -25,7 +25,7 @@ struct TgaForm {
   std::uint8_t palette_bits = 0;
   std::string_view id = {};
 };
-inline Bytes tgaOf(const TgaForm& form, const Bytes& rest) {
+inline Bytes tgaFile(const TgaForm& form, const Bytes& rest) {
   Bytes bytes{static_cast<std::uint8_t>(form.id.size()), form.palette_length > 0 ? std::uint8_t{1} : std::uint8_t{0},
               form.type};
   appendLittle(bytes, form.palette_first, 2);
@@ -67,7 +67,7 @@ struct BmpForm {
   std::vector<std::uint32_t> palette = {};  ///< 0xrrggbb
   Bytes profile = {};                       ///< ICC, for a header of 124 bytes
 };
-inline Bytes bmpOf(const BmpForm& form, const Bytes& texels) {
+inline Bytes bmpFile(const BmpForm& form, const Bytes& texels) {
   Bytes header;
   const int side = form.header == 12 ? 2 : 4;
   appendLittle(header, form.header, 4);

@@ -282,7 +282,7 @@ Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer) {
   for (int face = 0; face < map.faces(); ++face) counts.add(map.face(face));
   if (counts.too_bright > 0)
     return fail(ErrorCode::out_of_range,
-                countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", Remedy::scale_light);
+                countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", FixHint::scale_light);
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     observer.tell(RemarkKind::negative_raised,
                   countedAre(negative, "value") + " negative, no light or a colour beyond Rec.709; taken as 0");

@@ -109,7 +109,7 @@ std::string valueText(Metric metric, double value) {
 
 Result<ComparedImage> comparedImage(Image image, ImageKind kind) {
   if (const NonFinite bad = findNonFinite(image); bad.count > 0)
-    return fail(ErrorCode::non_finite, textOf(bad), Remedy::repair);
+    return fail(ErrorCode::non_finite, textOf(bad), FixHint::repair);
   ComparedImage compared{{}, coverageOf(image)};
   compared.light = rgbOf(image);
   if (kind == ImageKind::picture && !compared.alpha.empty())
@@ -129,7 +129,7 @@ Result<Comparison> compareImages(ComparedImage test, ComparedImage reference, Im
     return fail(ErrorCode::bad_shape,
                 "their sizes differ, " + sizeOf(test.light) + " and " + sizeOf(reference.light) +
                     "; bring them to one size first",
-                Remedy::resize);
+                FixHint::resize);
   Comparison comparison;
   comparison.kind = kind;
   const auto set = [&](Metric metric, std::optional<double> value) {

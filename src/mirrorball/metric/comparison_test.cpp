@@ -125,7 +125,7 @@ TEST(CompareImages, SizesThatDifferAndWhatIsNotFiniteAreRefused) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
   EXPECT_THAT(refused.error().message, HasSubstr("2 texels are NaN or infinite, the first at (2, 1)"));
-  EXPECT_EQ(refused.error().remedy, Remedy::repair);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::repair);
 }
 
 TEST(CompareImages, NegativeLightIsADifferenceOfRadianceThatNoDisplayShows) {

@@ -65,7 +65,7 @@ Result<void> copyRows(RowReader& rows, const std::string& name, const TakeTexels
     MIRRORBALL_TRY(texels, rows.read(std::min(kRowsAtATime, height - y)));
     if (NonFinite bad = findNonFinite(texels); bad.count > 0) {
       bad.first.y += y;
-      return fail(ErrorCode::non_finite, name + ": " + textOf(bad), Remedy::repair);
+      return fail(ErrorCode::non_finite, name + ": " + textOf(bad), FixHint::repair);
     }
     MIRRORBALL_TRY_VOID(copyTexels(texels, Projection::equirect, 0, y, take));
     if (progress && !progress(std::size_t(y + texels.height()), std::size_t(height)))
@@ -113,7 +113,7 @@ Result<MapFile> outputOf(const LoadedEnvironment& loaded, const std::string& pat
   if (conversion.to) return outputOf(loaded.name, path, conversion.file, *conversion.to, observer);
   if (!loaded.recognition)
     return fail(ErrorCode::usage, loaded.name + ": is light from every direction, in no projection yet",
-                Remedy::name_projection);
+                FixHint::name_projection);
   return outputOf(loaded.name, path, keepingLayout(loaded, path, conversion.file), loaded.recognition->form.projection,
                   observer);
 }

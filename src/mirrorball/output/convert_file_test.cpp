@@ -53,7 +53,7 @@ TEST_F(ConvertFileTest, TheInputIsNotOverwritten) {
 TEST_F(ConvertFileTest, ABuiltInNeedsAProjection) {
   const auto saved = convertFile("sky", path("sky.exr"));
   ASSERT_FALSE(saved);
-  EXPECT_EQ(saved.error().remedy, Remedy::name_projection);
+  EXPECT_EQ(saved.error().fix_hint, FixHint::name_projection);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(BallPhoto, WhatHasNoBallIsTold) {
   const auto found = ballIn(*readBallLight({{path}}, {}), {});
   ASSERT_FALSE(found);
   EXPECT_THAT(found.error().message, HasSubstr("no_ball.hdr: no mirror ball is found"));
-  EXPECT_EQ(found.error().remedy, Remedy::give_circle);
+  EXPECT_EQ(found.error().fix_hint, FixHint::give_circle);
 }
 
 TEST(BallPhoto, ADoubtfulCircleIsTold) {

@@ -218,7 +218,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective) {
   const auto candidates =
       findCandidates(PlanePicture(coarse, pinhole, factor), coarse.width(), coarse.height(), factor);
   const double confidence = candidates.empty() ? 0.0 : confidenceIn(candidates);
-  if (confidence < kMinConfidence) return fail(ErrorCode::bad_shape, "no mirror ball is found", Remedy::give_circle);
+  if (confidence < kMinConfidence) return fail(ErrorCode::bad_shape, "no mirror ball is found", FixHint::give_circle);
 
   const Circle& likeliest = candidates.front().circle;
   Fit fit = refined(PlanePicture(grey, pinhole, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
@@ -234,7 +234,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective) {
   if (fit.support.share < kMinShare || fit.circle.radius_px < kMinRadius_px)
     return fail(ErrorCode::bad_shape,
                 "the ball's rim is not sure (an edge along only " + percent(fit.support.share) + " of it)",
-                Remedy::give_circle);
+                FixHint::give_circle);
   FoundBall ball{
       BallView(pinhole, fit.circle), fit.support.share, fit.support.visible, fit.support.rms_px, confidence, {}};
   if (candidates.size() > 1) ball.rival = circleInPicture(BallView(seen_through, candidates[1].circle));

@@ -117,7 +117,7 @@ TEST(FindBall, PicturesWithoutABallAreRefused) {
     const auto found = findBall(image, {});
     ASSERT_FALSE(found) << "share " << found->share << " radius " << found->view.rim().radius_px;
     EXPECT_EQ(found.error().code, ErrorCode::bad_shape);
-    EXPECT_EQ(found.error().remedy, Remedy::give_circle);
+    EXPECT_EQ(found.error().fix_hint, FixHint::give_circle);
     EXPECT_EQ(found.error().message.find('\n'), std::string::npos);
   };
   expectRefused(Image(200, 150, 3, 0.5f), "flat grey");

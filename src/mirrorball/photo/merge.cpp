@@ -58,7 +58,7 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
   if (max / min < 1.05)
     return fail(ErrorCode::usage,
                 "all photographs have the exposure " + formatNumber(min) + " s; a series has different ones",
-                Remedy::give_exposures);
+                FixHint::give_exposures);
   return exposures;
 }
 

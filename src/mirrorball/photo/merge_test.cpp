@@ -215,14 +215,14 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
   };
   const Image light(40, 40, 3, 0.2f);
   auto series = seriesOf(light, {0.5, 1.0}, srgb);
-  EXPECT_EQ(errorOf(series, {}, ErrorCode::usage).remedy, Remedy::give_exposures);
+  EXPECT_EQ(errorOf(series, {}, ErrorCode::usage).fix_hint, FixHint::give_exposures);
   EXPECT_THAT(errorOf(series, {.exposures = {1.0}, .response = {}}, ErrorCode::usage).message,
               HasSubstr("1 exposure is given for 2 photographs"));
   EXPECT_THAT(errorOf(series, {.exposures = {1.0, 1.0}, .response = {}}, ErrorCode::usage).message,
               HasSubstr("different"));
   const auto black = seriesOf(Image(40, 40, 3, 0.0f), {0.5, 1.0}, srgb);
-  EXPECT_EQ(errorOf(black, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).remedy,
-            Remedy::name_response);
+  EXPECT_EQ(errorOf(black, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).fix_hint,
+            FixHint::name_response);
   auto mixed = series;
   mixed[1] = {"b.exr", {}, light, {}};
   EXPECT_THAT(errorOf(mixed, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::usage).message, HasSubstr("b.exr"));

@@ -28,7 +28,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
 Result<std::vector<double>> exposuresFromExif(std::span<const Photograph> photographs) {
   for (const Photograph& photograph : photographs)
     if (!photograph.exif.exposure_time_s)
-      return fail(ErrorCode::usage, photograph.name + ": has no exposure time in its EXIF", Remedy::give_exposures);
+      return fail(ErrorCode::usage, photograph.name + ": has no exposure time in its EXIF", FixHint::give_exposures);
   const auto all = [&](auto member) {
     return std::all_of(photographs.begin(), photographs.end(),
                        [&](const Photograph& p) { return (p.exif.*member).has_value(); });

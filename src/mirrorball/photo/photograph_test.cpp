@@ -128,7 +128,7 @@ TEST_F(PhotographTest, ExposuresCountTimeApertureAndSensitivity) {
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().code, ErrorCode::usage);
   EXPECT_THAT(failed.error().message, HasSubstr("b.jpg"));
-  EXPECT_EQ(failed.error().remedy, Remedy::give_exposures);
+  EXPECT_EQ(failed.error().fix_hint, FixHint::give_exposures);
 }
 
 TEST_F(PhotographTest, FocalLengthOfTheFullFrame) {

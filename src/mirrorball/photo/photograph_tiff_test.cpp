@@ -16,13 +16,13 @@ TEST(PhotographTiff, IsCodesOrLight) {
     return path;
   };
   testing::TiffForm form{.width = 2, .height = 1, .orientation = 3};
-  const auto codes = readPhotograph(write("codes.tif", testing::tiffOf(form, {1, 2, 3, 4, 5, 6})));
+  const auto codes = readPhotograph(write("codes.tif", testing::tiffFile(form, {1, 2, 3, 4, 5, 6})));
   ASSERT_TRUE(codes) << codes.error().message;
   EXPECT_THAT(codes->codes.samples(), ::testing::ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
   form.bits = 32;
   form.kind = SAMPLEFORMAT_IEEEFP;
   const auto light = readPhotograph(
-      write("light.tif", testing::tiffOf(form, testing::bytesOfNumbers(std::vector<float>{1, 2, 3, 4, 5, 6}))));
+      write("light.tif", testing::tiffFile(form, testing::bytesOfNumbers(std::vector<float>{1, 2, 3, 4, 5, 6}))));
   ASSERT_TRUE(light) << light.error().message;
   EXPECT_TRUE(light->codes.empty());
   EXPECT_THAT(light->light.samples(), ::testing::ElementsAre(4, 5, 6, 1, 2, 3));

@@ -186,7 +186,7 @@ Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span
                 "only " + std::to_string(samples.size()) +
                     " places are neither black nor clipped in two of the photographs, too few to recover the camera's "
                     "response; take them closer together",
-                Remedy::name_response);
+                FixHint::name_response);
   Response response;
   response.light.fill(lightFromLogarithm(solveCurve(samples)));
   return response;

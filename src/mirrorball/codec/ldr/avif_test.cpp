@@ -20,7 +20,7 @@ namespace mirrorball {
 namespace {
 
 using testing::AvifForm;
-using testing::avifOf;
+using testing::avifFile;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
@@ -29,7 +29,7 @@ Image8 avifPicture(int channels) { return pictureFromLinear(testing::gradient(13
 TEST(Avif, EightBitsComeBack) {
   for (const int channels : {3, 4}) {
     const Image8 source = avifPicture(channels);
-    const Bytes bytes = avifOf(source);
+    const Bytes bytes = avifFile(source);
     EXPECT_TRUE(isAvif(bytes));
     const auto image = decodeAvif(bytes);
     ASSERT_TRUE(image) << image.error().message;
@@ -51,25 +51,25 @@ TEST(Avif, TwelveBitsOfPqAreLight) {
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 8; ++y)
       for (int c = 0; c < 3; ++c) codes.texel(x, y)[c] = static_cast<std::uint16_t>(x * 585);
-  const auto image = decodeAvif(avifOf(codes, AvifForm{.depth = 12, .primaries = 9, .transfer = 16}));
+  const auto image = decodeAvif(avifFile(codes, AvifForm{.depth = 12, .primaries = 9, .transfer = 16}));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->format, "AVIF, 12 bits");
   EXPECT_EQ(image->color, "PQ, primaries of the file (Rec.2020): converted");
   EXPECT_NEAR(image->image.texel(7, 3)[1], 10000.0f / 203.0f, 0.1f);
   EXPECT_NEAR(image->image.texel(0, 3)[1], 0.0f, 1e-5f);
-  const auto stored = decodeAvifCodes(avifOf(codes, AvifForm{.depth = 12}));
+  const auto stored = decodeAvifCodes(avifFile(codes, AvifForm{.depth = 12}));
   ASSERT_TRUE(stored);
   EXPECT_NEAR(std::get<ImageOf<std::uint16_t>>(*stored).texel(3, 3)[0], 3 * 585 * 65535 / 4095, 1);
 }
 
 TEST(Avif, IsUpright) {
   const Image8 source = avifPicture(3);
-  const auto turned = decodeAvifTexture(avifOf(source, AvifForm{.quarters = 1}));
+  const auto turned = decodeAvifTexture(avifFile(source, AvifForm{.quarters = 1}));
   ASSERT_TRUE(turned);
   ASSERT_EQ(turned->width(), source.height());
   // Against the clock: what is on the right comes to the top.
   EXPECT_EQ(turned->texel(2, 0)[0], source.texel(source.width() - 1, 2)[0]);
-  const auto mirrored = decodeAvifTexture(avifOf(source, AvifForm{.mirrors = true}));
+  const auto mirrored = decodeAvifTexture(avifFile(source, AvifForm{.mirrors = true}));
   ASSERT_TRUE(mirrored);
   EXPECT_EQ(mirrored->texel(0, 4)[1], source.texel(source.width() - 1, 4)[1]);
 }
@@ -129,7 +129,7 @@ TEST(Avif, OtherBoxesAreNone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Avif, Damage,
-                         ::testing::Values(testing::DamagedFile{"avif", [] { return avifOf(avifPicture(4)); }}),
+                         ::testing::Values(testing::DamagedFile{"avif", [] { return avifFile(avifPicture(4)); }}),
                          testing::nameOfDamaged);
 
 }  // namespace

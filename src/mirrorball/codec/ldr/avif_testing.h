@@ -24,7 +24,7 @@ struct AvifForm {
 ///
 /// Sample   std::uint8_t, or std::uint16_t with codes of the depth
 template <typename Sample>
-Bytes avifOf(const ImageOf<Sample>& picture, const AvifForm& form = {}) {
+Bytes avifFile(const ImageOf<Sample>& picture, const AvifForm& form = {}) {
   const std::unique_ptr<avifImage, decltype(&avifImageDestroy)> image(
       avifImageCreate(picture.width(), picture.height(), form.depth, AVIF_PIXEL_FORMAT_YUV444), avifImageDestroy);
   image->matrixCoefficients = AVIF_MATRIX_COEFFICIENTS_IDENTITY;

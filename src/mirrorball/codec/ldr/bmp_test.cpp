@@ -10,7 +10,7 @@
 namespace mirrorball {
 namespace {
 
-using testing::bmpOf;
+using testing::bmpFile;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -24,7 +24,7 @@ std::vector<int> codesOfBmp(const Bytes& bytes) {
 std::vector<int> indices(testing::BmpForm form, const Bytes& texels) {
   for (std::uint32_t i = 0; i < (1u << form.bits); ++i) form.palette.push_back(i << 16);
   std::vector<int> reds;
-  const std::vector<int> all = codesOfBmp(bmpOf(form, texels));
+  const std::vector<int> all = codesOfBmp(bmpFile(form, texels));
   for (std::size_t i = 0; i < all.size(); i += 4) reds.push_back(all[i]);
   return reds;
 }
@@ -37,9 +37,9 @@ Error refusedBmp(const Bytes& bytes) {
 
 TEST(Bmp, RowsRunUpUnlessTheHeightIsNegative) {
   const Bytes texels{3, 2, 1, 0, 6, 5, 4, 0};  // each row padded to four bytes
-  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
-  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
-  const auto image = decodeBmp(bmpOf({.width = 1, .height = 2}, texels));
+  EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
+  EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
+  const auto image = decodeBmp(bmpFile({.width = 1, .height = 2}, texels));
   EXPECT_EQ(image->format, "BMP, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
   EXPECT_EQ(image->image.channels(), 3);
@@ -52,41 +52,42 @@ TEST(Bmp, PalettesOfEveryDepth) {
   EXPECT_THAT(indices({.width = 3, .height = 1, .bits = 4}, {0x1f, 0x80, 0, 0}), ElementsAre(1, 15, 8));
   EXPECT_THAT(indices({.width = 2, .height = 1, .bits = 8}, {200, 3, 0, 0}), ElementsAre(200, 3));
   // OS/2's first version has colours of three bytes.
-  EXPECT_THAT(codesOfBmp(bmpOf({.header = 12, .width = 1, .height = 1, .bits = 1, .palette = {0x112233, 0x445566}},
-                               {0x80, 0, 0, 0})),
+  EXPECT_THAT(codesOfBmp(bmpFile({.header = 12, .width = 1, .height = 1, .bits = 1, .palette = {0x112233, 0x445566}},
+                                 {0x80, 0, 0, 0})),
               ElementsAre(0x44, 0x55, 0x66, 255));
-  EXPECT_THAT(refusedBmp(bmpOf({.width = 2, .height = 1, .bits = 8, .palette = {0, 1}}, {1, 2, 0, 0})).message,
+  EXPECT_THAT(refusedBmp(bmpFile({.width = 2, .height = 1, .bits = 8, .palette = {0, 1}}, {1, 2, 0, 0})).message,
               HasSubstr("texel (1, 0) has the colour 2 of a palette of 2"));
 }
 
 TEST(Bmp, MasksOfAnyBits) {
   // 16 bits are 5-5-5 without masks.
-  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 16}, {0x30, 0x7c, 0, 0})),
+  EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = 1, .bits = 16}, {0x30, 0x7c, 0, 0})),
               ElementsAre(255, 8, 132, 255));
-  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 16, .compression = 3, .masks = {0xf800, 0x7e0, 0x1f}},
-                               {0xe0, 0x07, 0, 0})),
-              ElementsAre(0, 255, 0, 255));
+  EXPECT_THAT(
+      codesOfBmp(bmpFile({.width = 1, .height = 1, .bits = 16, .compression = 3, .masks = {0xf800, 0x7e0, 0x1f}},
+                         {0xe0, 0x07, 0, 0})),
+      ElementsAre(0, 255, 0, 255));
   // Ten bits a colour and two of alpha.
-  EXPECT_THAT(codesOfBmp(bmpOf({.header = 56,
-                                .width = 1,
-                                .height = 1,
-                                .bits = 32,
-                                .compression = 3,
-                                .masks = {0x3ff, 0xffc00, 0x3ff00000, 0xc0000000}},
-                               {0xff, 0x03, 0x00, 0x80})),
+  EXPECT_THAT(codesOfBmp(bmpFile({.header = 56,
+                                  .width = 1,
+                                  .height = 1,
+                                  .bits = 32,
+                                  .compression = 3,
+                                  .masks = {0x3ff, 0xffc00, 0x3ff00000, 0xc0000000}},
+                                 {0xff, 0x03, 0x00, 0x80})),
               ElementsAre(255, 0, 0, 170));
 }
 
 TEST(Bmp, OnlyAMaskMakesAlpha) {
-  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 32}, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 255));
+  EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = 1, .bits = 32}, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 255));
   const testing::BmpForm form{.header = 124,
                               .width = 1,
                               .height = 1,
                               .bits = 32,
                               .compression = 3,
                               .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
-  EXPECT_THAT(codesOfBmp(bmpOf(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
-  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 9}))->image.channels(), 4);
+  EXPECT_THAT(codesOfBmp(bmpFile(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
+  EXPECT_EQ(decodeBmp(bmpFile(form, {3, 2, 1, 9}))->image.channels(), 4);
 }
 
 TEST(Bmp, RunsLiteralsAndSkips) {
@@ -100,13 +101,13 @@ TEST(Bmp, RunsLiteralsAndSkips) {
   EXPECT_THAT(indices(rle4, {0, 5, 0x12, 0x34, 0x50, 0, 0, 1}), ElementsAre(1, 2, 3, 4, 5));
   testing::BmpForm cut = rle8;
   cut.palette = {0, 1, 2};
-  EXPECT_THAT(refusedBmp(bmpOf(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
-  EXPECT_EQ(decodeBmp(bmpOf(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
+  EXPECT_THAT(refusedBmp(bmpFile(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
+  EXPECT_EQ(decodeBmp(bmpFile(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
 }
 
 TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
   for (const std::uint32_t colors : {0u, 1u}) {
-    Bytes file = bmpOf({.width = 1, .height = 1, .bits = 8, .palette = {7}}, {0, 0, 0, 0});
+    Bytes file = bmpFile({.width = 1, .height = 1, .bits = 8, .palette = {7}}, {0, 0, 0, 0});
     file[10] = 20;  // where the texels begin
     file[46] = static_cast<std::uint8_t>(colors);
     EXPECT_EQ(refusedBmp(file).code, ErrorCode::bad_file);
@@ -115,28 +116,30 @@ TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
 
 TEST(Bmp, AProfileIsNamedAndOneOfAMatrixConverted) {
   testing::BmpForm form{.header = 124, .width = 1, .height = 1, .profile = testing::iccProfile("Display P3")};
-  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 0}))->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(decodeBmp(bmpFile(form, {3, 2, 1, 0}))->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
   form.profile = testing::iccDisplayP3();
-  const auto green = decodeBmp(bmpOf(form, {0, 255, 0, 0}));
+  const auto green = decodeBmp(bmpFile(form, {0, 255, 0, 0}));
   EXPECT_EQ(green->color, "sRGB, primaries of the file (Display P3): converted");
   EXPECT_NEAR(green->image.samples()[0], -0.2249f, 1e-3f);  // the inverse of P3's matrix from sRGB, CSS Color 4
 }
 
 TEST(Bmp, WhatCannotBeReadIsNamed) {
-  EXPECT_EQ(refusedBmp(bmpOf({.bits = 24, .compression = 5}, Bytes(24))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refusedBmp(bmpOf({.bits = 64}, Bytes(48))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refusedBmp(bmpOf({.bits = 24, .compression = 1}, Bytes(24))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refusedBmp(bmpOf({.header = 13}, Bytes(24))).code, ErrorCode::bad_file);
-  EXPECT_EQ(refusedBmp(bmpOf({.width = -3}, Bytes(24))).code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedBmp(bmpFile({.bits = 24, .compression = 5}, Bytes(24))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpFile({.bits = 64}, Bytes(48))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpFile({.bits = 24, .compression = 1}, Bytes(24))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpFile({.header = 13}, Bytes(24))).code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedBmp(bmpFile({.width = -3}, Bytes(24))).code, ErrorCode::bad_file);
   EXPECT_FALSE(isBmp(testing::bytesOf("BMX is no bitmap but a text")));
 }
 
 TEST(Bmp, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  EXPECT_THAT(refusedBmp(bmpOf({.width = 5000, .height = 5000}, Bytes(24))).message, HasSubstr("cannot hold"));
-  EXPECT_THAT(refusedBmp(bmpOf({.width = 2000, .height = 2000, .bits = 8, .compression = 1, .palette = {0}}, Bytes(24)))
-                  .message,
-              HasSubstr("cannot hold"));
-  EXPECT_EQ(refusedBmp(bmpOf({.width = 0x7fffffff, .height = -0x7fffffff - 1}, Bytes(24))).code, ErrorCode::too_large);
+  EXPECT_THAT(refusedBmp(bmpFile({.width = 5000, .height = 5000}, Bytes(24))).message, HasSubstr("cannot hold"));
+  EXPECT_THAT(
+      refusedBmp(bmpFile({.width = 2000, .height = 2000, .bits = 8, .compression = 1, .palette = {0}}, Bytes(24)))
+          .message,
+      HasSubstr("cannot hold"));
+  EXPECT_EQ(refusedBmp(bmpFile({.width = 0x7fffffff, .height = -0x7fffffff - 1}, Bytes(24))).code,
+            ErrorCode::too_large);
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ namespace mirrorball {
 namespace {
 
 using testing::JxlForm;
-using testing::jxlOf;
+using testing::jxlFile;
 
 Image8 jxlPicture(int channels) { return pictureFromLinear(testing::gradient(13, 11, channels), channels); }
 
 TEST(Jxl, IntegersComeBack) {
   for (const int channels : {3, 4}) {
     const Image8 source = jxlPicture(channels);
-    const Bytes bytes = jxlOf(source);
+    const Bytes bytes = jxlFile(source);
     EXPECT_TRUE(isJxl(bytes));
     const auto image = decodeJxl(bytes);
     ASSERT_TRUE(image) << image.error().message;
@@ -43,13 +43,13 @@ TEST(Jxl, IntegersComeBack) {
 TEST(Jxl, SixteenBitsComeBackAsTheyAre) {
   ImageOf<std::uint16_t> source(9, 7, 3, 0);
   for (std::size_t i = 0; i < source.samples().size(); ++i) source.samples()[i] = static_cast<std::uint16_t>(i * 331);
-  const auto codes = decodeJxlCodes(jxlOf(source));
+  const auto codes = decodeJxlCodes(jxlFile(source));
   ASSERT_TRUE(codes) << codes.error().message;
   EXPECT_THAT(std::get<ImageOf<std::uint16_t>>(*codes).samples(), ::testing::ElementsAreArray(source.samples()));
 }
 
 TEST(Jxl, EightBitsAreCodesOfEightBits) {
-  const auto codes = decodeJxlCodes(jxlOf(jxlPicture(3)));
+  const auto codes = decodeJxlCodes(jxlFile(jxlPicture(3)));
   ASSERT_TRUE(codes) << codes.error().message;
   EXPECT_TRUE(std::holds_alternative<Image8>(*codes));
 }
@@ -59,13 +59,13 @@ TEST(Jxl, ExtraChannelsCountAsMemory) {
   const Image8 source(256, 256, 3, 100);
   const std::uint64_t usual = memoryLimit();
   setMemoryLimit(std::uint64_t{16} << 20u);
-  const auto plain = decodeJxl(jxlOf(source));
-  const auto refused = decodeJxl(jxlOf(source, JxlForm{.extra_channels = 32}));
+  const auto plain = decodeJxl(jxlFile(source));
+  const auto refused = decodeJxl(jxlFile(source, JxlForm{.extra_channels = 32}));
   setMemoryLimit(usual);
   EXPECT_TRUE(plain) << plain.error().message;
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
-  EXPECT_TRUE(decodeJxl(jxlOf(source, JxlForm{.extra_channels = 32})));
+  EXPECT_TRUE(decodeJxl(jxlFile(source, JxlForm{.extra_channels = 32})));
 }
 
 // A sun of 1e5 beside black.
@@ -73,7 +73,7 @@ TEST(Jxl, FloatsAreLight) {
   Image source(8, 4, 3, 0.0f);
   source.texel(3, 2)[0] = 1e5f;
   source.texel(3, 2)[1] = 0.25f;
-  const Bytes bytes = jxlOf(source, JxlForm{.transfer = JXL_TRANSFER_FUNCTION_LINEAR});
+  const Bytes bytes = jxlFile(source, JxlForm{.transfer = JXL_TRANSFER_FUNCTION_LINEAR});
   const auto image = decodeJxl(bytes);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->format, "JPEG XL, 32-bit floats");
@@ -87,7 +87,7 @@ TEST(Jxl, FloatsAreLight) {
 TEST(Jxl, PqIsLightWithAndWithoutLoss) {
   ImageOf<std::uint16_t> white(32, 32, 3, static_cast<std::uint16_t>(0.58f * 65535.0f));
   for (const bool is_lossy : {false, true}) {
-    const auto image = decodeJxl(jxlOf(
+    const auto image = decodeJxl(jxlFile(
         white, JxlForm{.transfer = JXL_TRANSFER_FUNCTION_PQ, .primaries = JXL_PRIMARIES_2100, .is_lossy = is_lossy}));
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_EQ(image->color, "PQ, primaries of the file (Rec.2020): converted");
@@ -97,14 +97,14 @@ TEST(Jxl, PqIsLightWithAndWithoutLoss) {
 
 TEST(Jxl, IsUpright) {
   const Image8 source = jxlPicture(3);
-  const auto turned = decodeJxlTexture(jxlOf(source, JxlForm{.orientation = 8}));
+  const auto turned = decodeJxlTexture(jxlFile(source, JxlForm{.orientation = 8}));
   ASSERT_TRUE(turned) << turned.error().message;
   ASSERT_EQ(turned->width(), source.height());
   EXPECT_EQ(turned->texel(2, 0)[0], source.texel(source.width() - 1, 2)[0]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Jxl, Damage,
-                         ::testing::Values(testing::DamagedFile{"jxl", [] { return jxlOf(jxlPicture(4)); }}),
+                         ::testing::Values(testing::DamagedFile{"jxl", [] { return jxlFile(jxlPicture(4)); }}),
                          testing::nameOfDamaged);
 
 }  // namespace

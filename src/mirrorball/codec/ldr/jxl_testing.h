@@ -25,7 +25,7 @@ struct JxlForm {
 ///
 /// Sample   std::uint8_t, std::uint16_t, or float
 template <typename Sample>
-Bytes jxlOf(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
+Bytes jxlFile(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
   constexpr bool kIsFloat = std::is_same_v<Sample, float>;
   const std::unique_ptr<JxlEncoder, decltype(&JxlEncoderDestroy)> encoder(JxlEncoderCreate(nullptr), JxlEncoderDestroy);
   const auto channels = static_cast<std::uint32_t>(picture.channels());

@@ -17,7 +17,7 @@ using testing::bytesOfTexture;
 using ::testing::HasSubstr;
 using testing::textureOf;
 
-Bytes ktx2Of(const ImageSet& images, const TextureWriteOptions& options = {}) {
+Bytes ktx2File(const ImageSet& images, const TextureWriteOptions& options = {}) {
   return bytesOfTexture(writeKtx2, images, options);
 }
 
@@ -83,13 +83,13 @@ TEST(Ktx2, ASmallFileByHand) {
       0, 0x38, 0, 0x38, 0, 0x38, 0, 0x3c,  //
       // Level 0: 1 is 3c00, 2 is 4000.
       0, 0x3c, 0, 0x3c, 0, 0x3c, 0, 0x3c, 0, 0x40, 0, 0x40, 0, 0x40, 0, 0x3c};
-  EXPECT_EQ(ktx2Of(twoLevels()), expected);
+  EXPECT_EQ(ktx2File(twoLevels()), expected);
 }
 
 TEST(Ktx2, DescriptorsOfThePackedFormats) {
   const ImageSet images = textureOf(1, 1, 1, 3, 1, 1);
   const auto descriptor = [&](TexelFormat format) {
-    const Bytes file = ktx2Of(images, {.format = format});
+    const Bytes file = ktx2File(images, {.format = format});
     const std::size_t at = littleU32(file.data() + 48);
     return Bytes(file.begin() + static_cast<std::ptrdiff_t>(at + 28),
                  file.begin() + static_cast<std::ptrdiff_t>(at + littleU32(file.data() + 52)));
@@ -108,7 +108,7 @@ TEST(Ktx2, DescriptorsOfThePackedFormats) {
 }
 
 TEST(Ktx2, TwoChannelsAreRedAndGreen) {
-  const Bytes file = ktx2Of(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
+  const Bytes file = ktx2File(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
   EXPECT_EQ(littleU32(file.data() + 12), 83u) << "VK_FORMAT_R16G16_SFLOAT";
   EXPECT_EQ(littleU32(file.data() + 16), 2u) << "typeSize";
   const std::size_t at = littleU32(file.data() + 48);
@@ -119,7 +119,7 @@ TEST(Ktx2, TwoChannelsAreRedAndGreen) {
       (Bytes{0,  0, 15, 0xc0, 0, 0, 0, 0, 0, 0, 0x80, 0xbf, 0, 0, 0x80, 0x3f,  //
              16, 0, 15, 0xc1, 0, 0, 0, 0, 0, 0, 0x80, 0xbf, 0, 0, 0x80, 0x3f}));
   EXPECT_EQ(Bytes(file.end() - 4, file.end()), (Bytes{0, 0x40, 0, 0x40}));
-  const Bytes floats = ktx2Of(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
+  const Bytes floats = ktx2File(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
   EXPECT_EQ(littleU32(floats.data() + 12), 103u) << "VK_FORMAT_R32G32_SFLOAT";
 }
 
@@ -129,8 +129,8 @@ TEST(Ktx2, LevelsStandAtMultiplesOfTheirTexel) {
     // The metadata's length moves the levels' beginning by every remainder.
     for (int extra = 0; extra < 16; ++extra) {
       const Bytes file =
-          ktx2Of(textureOf(3, 6, 2, 3, 5, 5),
-                 {.format = format, .metadata = {{"mirrorball:layout", std::string(std::size_t(extra), 'x')}}});
+          ktx2File(textureOf(3, 6, 2, 3, 5, 5),
+                   {.format = format, .metadata = {{"mirrorball:layout", std::string(std::size_t(extra), 'x')}}});
       const std::uint64_t texel_size = file[std::size_t{littleU32(file.data() + 48)} + 20];
       for (std::size_t level = 0; level < 3; ++level)
         EXPECT_EQ(littleU64(file.data() + 80 + 24 * level) % texel_size, 0u) << extra;
@@ -139,14 +139,14 @@ TEST(Ktx2, LevelsStandAtMultiplesOfTheirTexel) {
 }
 
 TEST(Ktx2, CubeArraysCountLayersAndFaces) {
-  const Bytes file = ktx2Of(textureOf(1, 6, 3, 3, 2, 2));
+  const Bytes file = ktx2File(textureOf(1, 6, 3, 3, 2, 2));
   EXPECT_EQ(littleU32(file.data() + 32), 3u);
   EXPECT_EQ(littleU32(file.data() + 36), 6u);
 }
 
 /// The same texels under another VkFormat: a file whose one level is known.
 TEST(Ktx2, OtherFormatsAreRead) {
-  Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 2, 1), {.format = TexelFormat::e5b9g9r9});
+  Bytes file = ktx2File(textureOf(1, 1, 1, 3, 2, 1), {.format = TexelFormat::e5b9g9r9});
   std::copy_n(Bytes{255, 0, 51, 102, 0, 255, 51, 153}.begin(), 8, file.end() - 8);
   putU32(file, 12, 44);  // VK_FORMAT_B8G8R8A8_UNORM
   const auto unorm = decodeKtx2(file);
@@ -167,7 +167,7 @@ TEST(Ktx2, OtherFormatsAreRead) {
 
 TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
   const ImageSet picture = textureOf(1, 1, 1, 3, 3, 2);
-  Bytes file = ktx2Of(picture);
+  Bytes file = ktx2File(picture);
   constexpr std::string_view kRightDown("rd\0", 3);
   const auto orientation = static_cast<std::size_t>(
       std::search(file.begin(), file.end(), kRightDown.begin(), kRightDown.end()) - file.begin());
@@ -179,13 +179,13 @@ TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
     for (int x = 0; x < 3; ++x) EXPECT_EQ(rgbAt(turned->images.at(0, 0), x, y), rgbAt(picture.at(0, 0), 2 - x, 1 - y));
 
   const ImageSet cube = textureOf(1, 6, 1, 3, 2, 2);
-  Bytes cube_file = ktx2Of(cube);
+  Bytes cube_file = ktx2File(cube);
   cube_file[orientation + 1] = 'u';
   EXPECT_EQ(rgbAt(decodeKtx2(cube_file)->images.at(0, 4), 0, 0), rgbAt(cube.at(0, 4), 0, 0));
 }
 
 TEST(Ktx2, StatedPrimariesAreConverted) {
-  Bytes file = ktx2Of(ImageSet(Image(1, 1, 3, 1.0f)));
+  Bytes file = ktx2File(ImageSet(Image(1, 1, 3, 1.0f)));
   std::uint8_t& primaries = file[std::size_t{littleU32(file.data() + 48)} + 13];
   primaries = 4;  // BT.2020: white stays white, to the precision of the matrix
   const glm::vec3 white = rgbAt(decodeKtx2(file)->images.at(0, 0), 0, 0);
@@ -207,7 +207,7 @@ TEST(Ktx2, PrimariesAreStatedByTheNumbersOfKhronos) {
       for (int i = 0; i < 16; ++i) light.texel(i % 4, i / 4)[0] = 0.75f;
       Image image = light;
       convertFromRec709(image, primaries);
-      const Bytes file = ktx2Of(ImageSet(image), {.format = format, .primaries = primaries});
+      const Bytes file = ktx2File(ImageSet(image), {.format = format, .primaries = primaries});
       EXPECT_EQ(file[std::size_t{littleU32(file.data() + 48)} + 13], numbers[static_cast<std::size_t>(primaries)]);
       const glm::vec3 back = rgbAt(decodeKtx2(file)->images.at(0, 0), 2, 1);
       const float tolerance = format == TexelFormat::float32 ? 1e-6f : format == TexelFormat::half ? 1e-3f : 4e-3f;
@@ -216,7 +216,7 @@ TEST(Ktx2, PrimariesAreStatedByTheNumbersOfKhronos) {
 }
 
 TEST(Ktx2, WhatIsNotReadIsNamed) {
-  const Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 4, 4));
+  const Bytes file = ktx2File(textureOf(1, 1, 1, 3, 4, 4));
   const auto with = [&](std::size_t at, std::uint32_t number) {
     Bytes changed = file;
     putU32(changed, at, number);
@@ -241,7 +241,7 @@ TEST(Ktx2, WhatIsNotReadIsNamed) {
 }
 
 TEST(Ktx2, LyingHeadersAreNamedWithTheirPlace) {
-  const Bytes file = ktx2Of(textureOf(2, 1, 1, 3, 4, 4));
+  const Bytes file = ktx2File(textureOf(2, 1, 1, 3, 4, 4));
   const auto with = [&](std::size_t at, std::uint32_t number) {
     Bytes changed = file;
     putU32(changed, at, number);
@@ -299,7 +299,7 @@ TEST(Zstandard, NothingIsPackedToo) {
 
 TEST(Ktx2, UnsoundZstandardIsNamed) {
   MIRRORBALL_NEEDS(checkZstandard());
-  const Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 16, 16), {.zstandard_level = 3});
+  const Bytes file = ktx2File(textureOf(1, 1, 1, 3, 16, 16), {.zstandard_level = 3});
   Bytes damaged = file;
   damaged[littleU32(file.data() + 80)] ^= 0xff;
   EXPECT_THAT(errorOf(damaged).message, HasSubstr("level 0 at byte " + std::to_string(littleU32(file.data() + 80)) +

@@ -73,7 +73,7 @@ Error misfit(TexelFormat format, const std::string& place, glm::ivec2 texel, std
   return {ErrorCode::out_of_range,
           "texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) + ") of " + place + " is " + value +
               ", but " + rangeOf(format) + "; scale the light",
-          Remedy::store_floats};
+          FixHint::store_floats};
 }
 
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,

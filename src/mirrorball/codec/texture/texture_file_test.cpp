@@ -148,7 +148,7 @@ TEST_F(TextureFileTest, WhatDoesNotFitIsRefusedAndNamed) {
   EXPECT_EQ(error.code, ErrorCode::out_of_range);
   EXPECT_THAT(error.message, HasSubstr("a.ktx2: texel (2, 1) of level 0 is 1 65505 2, but half floats hold -65504"));
   EXPECT_THAT(error.message, ::testing::EndsWith("; scale the light"));
-  EXPECT_EQ(error.remedy, Remedy::store_floats);
+  EXPECT_EQ(error.fix_hint, FixHint::store_floats);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.ktx2"));
 
   for (const TexelFormat format : {TexelFormat::b10g11r11, TexelFormat::e5b9g9r9})

@@ -132,7 +132,7 @@ inline void writeTiffPage(TIFF* tiff, const TiffForm& form, const Bytes& samples
 }
 
 /// A TIFF of one page or of several.
-inline Bytes tiffOf(const std::vector<std::pair<TiffForm, Bytes>>& pages) {
+inline Bytes tiffFile(const std::vector<std::pair<TiffForm, Bytes>>& pages) {
   TiffMemory memory;
   TIFF* tiff = TIFFClientOpen(
       "memory", pages.front().first.mode.c_str(), &memory, TiffMemory::read, TiffMemory::write, TiffMemory::seek,
@@ -145,7 +145,7 @@ inline Bytes tiffOf(const std::vector<std::pair<TiffForm, Bytes>>& pages) {
   TIFFClose(tiff);
   return memory.bytes;
 }
-inline Bytes tiffOf(const TiffForm& form, const Bytes& samples) { return tiffOf({{form, samples}}); }
+inline Bytes tiffFile(const TiffForm& form, const Bytes& samples) { return tiffFile({{form, samples}}); }
 
 /// Bytes for the samples of a picture, each other than its neighbours.
 inline Bytes tiffSamples(const TiffForm& form) {

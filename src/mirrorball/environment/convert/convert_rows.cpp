@@ -72,7 +72,7 @@ class RowFeed {
     return fail(ErrorCode::non_finite,
                 reader_.description().name + ": has texels that are NaN or infinite, the first at (" +
                     std::to_string(bad.first.x) + ", " + std::to_string(first + bad.first.y) + ")",
-                Remedy::repair);
+                FixHint::repair);
   }
 
   RowReader& reader_;
@@ -106,7 +106,7 @@ Result<void> convertRows(RowReader& source, std::size_t memory, Projection to, i
     return fail(ErrorCode::too_large,
                 picture.name + ": needs " + textOfBytes(std::size_t(plan.max_rows) * row_bytes) + " for the " +
                     std::to_string(plan.max_rows) + " rows that are looked up at a time",
-                Remedy::raise_memory);
+                FixHint::raise_memory);
   const std::size_t usual_rows = std::max(kUsualWindow_bytes / row_bytes, std::size_t(kRowsPerRead));
   const int capacity =
       std::min(std::max(plan.max_rows, static_cast<int>(std::min(usual_rows, memory / row_bytes))), picture.height);

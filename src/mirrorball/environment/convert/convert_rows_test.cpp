@@ -97,7 +97,7 @@ TEST_F(ConvertRows, TakesNoMoreMemoryThanItMay) {
   const auto refused = convertRows(*rows, 1 << 20, Projection::cube, 8, {}, copyInto(images));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
-  EXPECT_EQ(refused.error().remedy, Remedy::raise_memory);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::raise_memory);
 }
 
 TEST_F(ConvertRows, NamesTheFirstTexelThatIsNoNumber) {
@@ -110,7 +110,7 @@ TEST_F(ConvertRows, NamesTheFirstTexelThatIsNoNumber) {
   const auto refused = convertRows(*rows, kMuch, Projection::cube, 32, {}, copyInto(images));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
-  EXPECT_EQ(refused.error().remedy, Remedy::repair);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::repair);
   EXPECT_NE(refused.error().message.find("(7, 70)"), std::string::npos) << refused.error().message;
 }
 

@@ -130,7 +130,7 @@ Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout 
                                       std::string(nameOf(projection)) + "; leave '" + std::string(preset.name) +
                                       "' out");
   if (!preset.cube)
-    return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama", Remedy::convert_to_panorama);
+    return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama", FixHint::convert_to_panorama);
   if (form.has_texels_on_edges && layout != CubeLayout::faces && layout != preset.layout)
     return fail(ErrorCode::usage, program + " has cubes in the layout " + std::string(nameOf(preset.layout)) +
                                       " (or faces) only, not " + std::string(nameOf(layout)));

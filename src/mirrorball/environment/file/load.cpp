@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 Result<NonFinite> checkNonFinite(const Image& image, const EnvironmentLoadOptions& options) {
   const NonFinite bad = findNonFinite(image);
   if (bad.count == 0 || options.keep_bad || options.repair) return bad;
-  return fail(ErrorCode::non_finite, textOf(bad), Remedy::repair);
+  return fail(ErrorCode::non_finite, textOf(bad), FixHint::repair);
 }
 
 /// Mends each image of a map, so that nothing from beside a face in its picture gets in.
@@ -116,7 +116,7 @@ Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::strin
     return fail(ErrorCode::bad_shape,
                 "has the six faces of a cube, and a map of projection " +
                     std::string(nameOf(recognition.form.projection)) + " is one picture",
-                Remedy::name_form_of_cube);
+                FixHint::name_form_of_cube);
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
   EnvironmentMap map = mapOfImages(std::move(images), recognition.form);

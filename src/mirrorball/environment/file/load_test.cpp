@@ -303,7 +303,7 @@ TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
   EXPECT_EQ(refused.error().message, path("bad.exr: 2 texels are NaN or infinite, the first at (3, 1)"));
-  EXPECT_EQ(refused.error().remedy, Remedy::repair);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::repair);
 
   const auto counted = loadEnvironment(path("bad.exr"), {.keep_bad = true});
   ASSERT_TRUE(counted);

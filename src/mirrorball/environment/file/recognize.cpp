@@ -154,7 +154,7 @@ Result<Recognition> recognizeShape(int width, int height) {
               "is " + sizeText(width, height) +
                   ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); "
                   "crop it",
-              Remedy::name_form);
+              FixHint::name_form);
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ Result<Recognition> recognize(int width, int height, const Metadata& metadata, c
   }
   if (metadata.contains(kSheetKey))
     return fail(ErrorCode::bad_shape, "is a sheet of mip levels, no map; name what it was made of",
-                Remedy::take_one_level);
+                FixHint::take_one_level);
   if (isBrdfTable(metadata))
     return fail(ErrorCode::bad_shape, "is a BRDF table, no map; `mirrorball info` tells what it holds");
   if (isLobeRows(metadata))
@@ -245,7 +245,7 @@ Result<Recognition> recognize(int width, int height, const Metadata& metadata, c
   const auto stated_form = hintOfMetadata(metadata);
   // Nobody has typed what is wrong here.
   if (!stated_form)
-    return fail(ErrorCode::bad_file, "its own metadata is wrong: " + stated_form.error().message, Remedy::name_form);
+    return fail(ErrorCode::bad_file, "its own metadata is wrong: " + stated_form.error().message, FixHint::name_form);
   const FormHint& stated = *stated_form;
   if (stated.layout == CubeLayout::faces)
     return fail(ErrorCode::bad_shape,

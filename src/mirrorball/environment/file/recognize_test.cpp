@@ -96,7 +96,7 @@ TEST(Recognize, MetadataThatIsWrongIsTheFilesMistake) {
   const auto wrong = recognize(64, 64, {{"mirrorball:projection", "sphxre"}}, {});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().code, ErrorCode::bad_file);
-  EXPECT_EQ(wrong.error().remedy, Remedy::name_form);
+  EXPECT_EQ(wrong.error().fix_hint, FixHint::name_form);
   EXPECT_THAT(wrong.error().message, HasSubstr("its own metadata is wrong"));
 }
 

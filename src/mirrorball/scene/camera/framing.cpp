@@ -214,11 +214,11 @@ Result<const ModelCamera*> cameraNamed(const Scene& scene, const std::string& na
   for (const ModelCamera& camera : scene.cameras) names.emplace_back(camera.name);
   if (names.empty())
     return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + excerpt(name) + "'",
-                Remedy::give_angles);
+                FixHint::give_angles);
   const auto index = indexOfName(name, names);
   if (!index) {
     Error error = unknownName("camera", name, names);
-    error.remedy = Remedy::give_angles;
+    error.fix_hint = FixHint::give_angles;
     return tl::unexpected<Error>(std::move(error));
   }
   return &scene.cameras[*index];

@@ -181,8 +181,8 @@ TEST(Obj, ReadsMaterialsAndTheirPictures) {
 // The formats that .mtl files name most beside PNG and JPEG.
 TEST(Obj, PicturesMayBeTgaBmpOrPpm) {
   const std::vector<std::pair<std::string, Bytes>> pictures{
-      {"colour.tga", testing::tgaOf({.width = 1, .height = 1}, {3, 2, 1})},
-      {"colour.bmp", testing::bmpOf({.width = 1, .height = 1}, {3, 2, 1, 0})},
+      {"colour.tga", testing::tgaFile({.width = 1, .height = 1}, {3, 2, 1})},
+      {"colour.bmp", testing::bmpFile({.width = 1, .height = 1}, {3, 2, 1, 0})},
       {"colour.ppm", {'P', '6', ' ', '1', ' ', '1', ' ', '2', '5', '5', '\n', 1, 2, 3}}};
   for (const auto& [name, bytes] : pictures) {
     ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));

@@ -15,7 +15,7 @@ TEST(ObjTiff, PicturesMayBeTiff) {
     ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));
   };
   const auto bytesOf = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
-  write("colour.tif", testing::tiffOf({.width = 1, .height = 1}, {1, 2, 3}));
+  write("colour.tif", testing::tiffFile({.width = 1, .height = 1}, {1, 2, 3}));
   write("obj_tiff.mtl", bytesOf("newmtl painted\nmap_Kd colour.tif\n"));
   const Result<Scene> scene =
       decodeObj(bytesOf("mtllib obj_tiff.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n"),

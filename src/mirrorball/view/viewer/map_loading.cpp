@@ -37,7 +37,7 @@ Result<TakenBall> takenBall(const BallLight& photographed, const BallPhotoSettin
   }
   Error error = std::move(ball).error();
   if (!settings.circle.empty()) error = withName(photographed.name + ": circle", std::move(error));
-  if (error.remedy != Remedy::give_circle) return tl::unexpected<Error>(std::move(error));
+  if (error.fix_hint != FixHint::give_circle) return tl::unexpected<Error>(std::move(error));
   error.message += "; drag the circle to it beside the map (M), or give circle";
   if (!suggests_circle) return tl::unexpected<Error>(std::move(error));
   const glm::ivec2 size(photographed.light.width(), photographed.light.height());

@@ -77,8 +77,8 @@ FN vec3 encodedNormal(vec3 normal, float zero) {
   return normal * (1.0f - least) + vec3(least);
 }
 
-// The unit normal of a decoded sample of a tangent-space normal map: +Y up along the bitangent, as in glTF. Where the map
-// holds no direction it is n.
+// The unit normal of a decoded sample of a tangent-space normal map: +Y up along the bitangent, as in glTF. Where the
+// map holds no direction it is n.
 FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 mapped, float scale) {
   vec3 bent = mapped.x * scale * tangent + mapped.y * scale * bitangent + mapped.z * n;
   return dot(bent, bent) > 1e-12f ? normalize(bent) : n;

@@ -11,8 +11,8 @@ vec4 lobeRowTexel(int lobe, float perceptual_roughness, float cosine) {
   return textureLod(brdf_table, place / size, 0.0);
 }
 
-// Each lobe sees a part of the patch of its own: 2 in each of as many columns as it takes. Where the patch is wider than
-// the lobes, as on small polished things, they are as many reads of it; where it is narrower it does not matter which
+// Each lobe sees a part of the patch of its own: 2 in each of as many columns as it takes. Where the patch is wider
+// than the lobes, as on small polished things, they are as many reads of it; where it is narrower it does not matter which
 // part it is. Weights differ, so from sample to sample the parts go round.
 Patch partOfLobe(Patch area, int lobe) {
   int part = (lobe + int(sample_phase * samples_per_pixel)) % LOBE_TAPS;

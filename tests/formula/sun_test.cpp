@@ -158,7 +158,8 @@ TEST(Sun, ASurfaceAnswersToEachPartOfIt) {
       }
 }
 
-/// Bumps turn their normals away from the eye until it grazes them, and from the sun: together they shine as they should.
+/// Bumps turn their normals away from the eye until it grazes them, and from the sun: together they shine as they
+/// should.
 TEST(Sun, GrazedFacetsDoNotShineTooMuch) {
   for (const float radius : {0.0046f, 0.0175f})
     for (const float cosine : {0.3f, 0.1f, 0.05f, 0.02f, 0.005f}) {

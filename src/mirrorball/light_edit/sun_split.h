@@ -32,8 +32,8 @@ Result<SunlessEnvironment> withoutSuns(const Environment& environment);
 /// cost     of a direction that of the rest's
 Environment withSuns(SunlessEnvironment split);
 
-/// Towards a sun that has more than a fifth of an environment's light, so that its shadows are seen: of the environment,
-/// unit. Nothing: there is none.
+/// The direction towards a sun that has more than a fifth of an environment's light, so that its shadows are seen: in
+/// the environment, unit. Nothing: there is none.
 ///
 /// environment, errors   as withoutSuns'
 /// cost                  as wholeLight's, and where something is bright enough, findLamps'; of what is no panorama and

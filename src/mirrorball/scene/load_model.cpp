@@ -256,7 +256,8 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
     auto read = withName(name_or_path, format->decode(bytes, name_or_path, options));
     // A model is not smaller in a smaller picture.
-    if (!read && read.error().fix_hint == FixHint::raise_memory_or_shrink) read.error().fix_hint = FixHint::raise_memory;
+    if (!read && read.error().fix_hint == FixHint::raise_memory_or_shrink)
+      read.error().fix_hint = FixHint::raise_memory;
     MIRRORBALL_TRY(decoded, std::move(read));
     findNormalZeros(decoded, name_or_path);
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));

@@ -19,8 +19,8 @@
 namespace mirrorball {
 namespace {
 
-using testing::AvifForm;
 using testing::avifFile;
+using testing::AvifForm;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 

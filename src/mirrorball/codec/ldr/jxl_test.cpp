@@ -15,8 +15,8 @@
 namespace mirrorball {
 namespace {
 
-using testing::JxlForm;
 using testing::jxlFile;
+using testing::JxlForm;
 
 Image8 jxlPicture(int channels) { return pictureFromLinear(testing::gradient(13, 11, channels), channels); }
 

@@ -22,9 +22,9 @@ using testing::bytesOfNumbers;
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
+using testing::tiffFile;
 using testing::tiffFloats;
 using testing::TiffForm;
-using testing::tiffFile;
 using testing::tiffSamples;
 
 DecodedImage decoded(const Bytes& bytes) {

@@ -19,7 +19,8 @@ constexpr float kShadowReach = 4.0f;
 
 /// Puts a camera where the model fills the picture: its projection touches a border 1/32 of the picture's side inside
 /// of two opposite edges at least, and lies in the middle; so does the ground around its foot as far as the options
-/// say, with the shadow that falls there. Direction and angle of view are the options' own; so is the target, which is in the middle of the picture then.
+/// say, with the shadow that falls there. Direction and angle of view are the options' own; so is the target, which is
+/// in the middle of the picture then.
 ///
 /// A point (x, y, z) in the frame of the camera's axes, z towards the camera, is seen right of nothing but the border's
 /// slope t if x − cx ≤ t (cz − z). So a camera at c sees all points if cx + t cz ≥ max(x + t z), and likewise on the

@@ -42,7 +42,8 @@ struct LightsOptions {
 
 const std::string kPictureHelp =
     "also write the map as a panorama with the outlines of its lamps, as " + writtenExtensions(Holds::picture, " or ") +
-    "; with --scale, the map itself, in the form that it has, as " + writtenExtensions(" or ");
+    "; with --scale, the map itself, in the form that it has, as " + writtenExtensions(" or ") +
+    "; -.png is standard output, likewise with the other extensions";
 const std::string kLampFilesHelp =
     "with --split, write the lamps that are taken out to FILE, which ends in " + lampFileEndings() +
     "; may be repeated; without it, REST_lamps.glb, REST_lamps.json and a snippet for the program of --for, if one is "
@@ -106,10 +107,12 @@ Result<void> settleScaled(LightsRequest& request) {
       return fail(ErrorCode::usage, "--" + std::string(name) +
                                         " takes the lamps out of the map, and --scale leaves them in; leave one of the "
                                         "two out");
+  MIRRORBALL_TRY_VOID(refusePictureOptions(request.stated, options.picture, ""));
   if (!request.stated.contains("max-size")) request.lamps.max_size_deg = 360.0f;
   // Outlines are drawn over a tone-mapped picture, and a map has the options that it is asked for.
   request.file.display.exposure_ev = options.display.exposure_ev;
   if (request.stated.contains("tone-map")) request.file.display.tone_map = options.display.tone_map;
+  request.file.is_one_file = isStandardOutputTaken();
   MIRRORBALL_TRY_VOID(formatToWrite(options.picture, {Holds::light, Holds::texture, Holds::picture}));
   return checkFolder(options.picture);
 }
@@ -190,20 +193,18 @@ Result<void> drawLamps(const Environment& map, const LightsOptions& options, con
 }
 
 /// With --scale: writes the map with other lamps, in the form that it has.
-///
-/// searched  the map in which lamps are searched
-Result<void> scaleInto(LoadedEnvironment loaded, const EnvironmentMap& searched, const LightsRequest& request,
-                       FoundLights& found) {
+Result<void> scaleInto(LoadedEnvironment loaded, const LightsRequest& request, FoundLights& found) {
   const std::string& path = request.options.picture;
-  EnvironmentMap map = loaded.environment.map() ? std::move(*loaded.environment.map()) : searched;
-  MIRRORBALL_TRY(
-      output, MapFile::resolve(path, keepingLayout(loaded, path, request.file), map.projection(), terminalObserver()));
+  const EnvironmentMap* const map = loaded.environment.map();
+  const Projection projection = map != nullptr ? map->projection() : Projection(Projection::equirect);
+  MIRRORBALL_TRY(output,
+                 MapFile::resolve(path, keepingLayout(loaded, path, request.file), projection, terminalObserver()));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   if (loaded.levels > 1 && output.leavesLevelsOut())
     terminalObserver().tell(RemarkKind::levels_left_out, found.name + ": of its " + std::to_string(loaded.levels) +
                                                              " mip levels only the first is taken");
-  MIRRORBALL_TRY(scaled,
-                 withName(found.name, scaleLamps(std::move(map), searched, request.options.scale, request.lamps)));
+  MIRRORBALL_TRY(scaled, withName(found.name, scaleLamps(std::move(loaded.environment), request.options.scale,
+                                                         request.lamps, terminalObserver().named(found.name))));
   if (scaled.lamps.empty()) remark(found.name + ": has no lamp to scale; its light is written as it is");
   found.lamps = std::move(scaled.lamps);
   found.scale = request.options.scale;
@@ -217,15 +218,13 @@ Result<void> findLights(LightsRequest& request) {
   MIRRORBALL_TRY(loaded, loadMap(request.input, {.from = hint, .repair = options.repair}, progressBar("read")));
   if (!options.picture.empty()) MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, {&options.picture, 1}));
   FoundLights found{.name = shown(request.input), .min_share = request.lamps.min_share};
-  // Of a map that is scaled texels are kept that the search takes otherwise, such as those below 0.
-  LoadedEnvironment kept = request.isScaled() ? loaded : LoadedEnvironment{.environment = Environment({}, 1)};
-  MIRRORBALL_TRY(map, searchedMap(std::move(loaded.environment), progressBar("convert")));
-  MIRRORBALL_TRY_VOID(withName(found.name, checkLight(map, terminalObserver().named(found.name))));
   if (request.isScaled()) {
-    MIRRORBALL_TRY_VOID(scaleInto(std::move(kept), map, request, found));
+    MIRRORBALL_TRY_VOID(scaleInto(std::move(loaded), request, found));
     print(options.json ? jsonOf(found) : textOf(found));
     return {};
   }
+  MIRRORBALL_TRY(map, searchedMap(std::move(loaded.environment), progressBar("convert")));
+  MIRRORBALL_TRY_VOID(withName(found.name, checkLight(map, terminalObserver().named(found.name))));
   Environment drawn({}, 1);
   if (!options.picture.empty()) drawn = Environment(map);
   if (options.split.empty())
@@ -265,9 +264,8 @@ Command lightsCommand() {
       rowsNamed(mapFileOptions(), std::array<std::string_view, 4>{"for", "format", "layout", "mips"});
   addOptions(command, of_rest, request->file, &request->stated);
   addOptions(command, kInputs, request->options);
-  command.action = [request]() -> Result<void> {
-    MIRRORBALL_TRY_VOID(readStandardInput({&request->input}));
-    return findLights(*request);
+  command.action = [request] {
+    return withStandardStreams({&request->input}, request->options.picture, [&] { return findLights(*request); });
   };
   return command;
 }

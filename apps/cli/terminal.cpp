@@ -138,9 +138,11 @@ void tell(const std::string& line) {
 }
 
 void print(const std::string& text) {
+  if (is_quiet && output_is_taken) return;
+  std::FILE* const to = output_is_taken ? stderr : stdout;
   std::size_t begin = 0;
   for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
-    std::fprintf(stdout, "%s\n", printable(std::string_view(text).substr(begin, end - begin)).c_str());
+    std::fprintf(to, "%s\n", printable(std::string_view(text).substr(begin, end - begin)).c_str());
 }
 
 Result<void> flushStandardOutput() {

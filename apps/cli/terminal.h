@@ -19,7 +19,7 @@ void showAs(const std::string& path, const std::string& name);
 /// A text as it is said: with the names of showAs.
 std::string shown(std::string text);
 
-/// From now on standard output belongs to a file, and what `tell` says goes to standard error.
+/// From now on standard output belongs to a file, and what `tell` and `print` write goes to standard error.
 void keepStandardOutputFree();
 bool isStandardOutputTaken();
 
@@ -42,8 +42,9 @@ void tell(const std::string& line);
 /// Says on standard error how the work went that was asked for.
 void tellAside(const std::string& line);
 
-/// Prints text of several lines, each ended by '\n', on standard output, as a terminal may show it (base/text.h:
-/// printable). A foreign name in it may not end a line, and is made printable by who puts it there.
+/// Prints text of several lines, each ended by '\n', on standard output, or where that belongs to a file on standard
+/// error, as a terminal may show it (base/text.h: printable). A foreign name in it may not end a line, and is made
+/// printable by who puts it there.
 void print(const std::string& text);
 
 /// Sends off what was printed on standard output, by whomever.

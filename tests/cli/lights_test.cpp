@@ -248,5 +248,57 @@ TEST_F(LightsTest, OnlyTheLampsThatAreSelectedAreScaled) {
   EXPECT_THAT(none.err, HasSubstr("no lamp to scale"));
 }
 
+TEST_F(LightsTest, OptionsOfPicturesAreRefusedForScaledLight) {
+  for (const char* file : {"out.exr", "out.hdr", "out.ktx2"})
+    for (const std::string option : {"--exposure 2", "--tone-map aces"})
+      EXPECT_THAT(
+          refuse(2, "lights map.exr --scale 2 -o " + std::string(file) + " " + option),
+          AllOf(StartsWith(file), HasSubstr("holds light as it is; for " + option.substr(0, option.find(' ')))));
+  succeed("lights map.exr --scale 2 -o bright.png --exposure 0.5 --tone-map linear");
+  succeed("lights map.exr --scale 2 -o dark.png --exposure -0.5 --tone-map linear");
+  EXPECT_NEAR(image("bright.png").texel(9, 9)[0] / image("dark.png").texel(9, 9)[0], 2.0f, 0.1f);
+}
+
+TEST_F(LightsTest, AScaledMapMayGoThroughPipes) {
+  succeed("lights map.exr --scale 2 -o file.exr");
+  const std::vector<std::string> before = files();
+  const Start piped{.input = bytes("map.exr")};
+  const Outcome outcome = run("lights - --scale 2 -o -.exr", piped);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(Bytes(outcome.out.begin(), outcome.out.end()) == bytes("file.exr"));
+  EXPECT_THAT(outcome.err, AllOf(StartsWith("standard input: scaled by 2, before: 1 lamp"), EndsWith("\n")));
+  EXPECT_EQ(Json::parse(run("lights - --scale 2 -o -.exr --json", piped).err)["scale"], 2.0);
+  EXPECT_EQ(run("lights - --scale 2 -o -.exr --quiet", piped).err, "");
+  EXPECT_THAT(run("lights - -o -.png", piped).out, StartsWith("\x89PNG"));
+  EXPECT_EQ(files(), before);
+  succeed("convert map.exr --to cube --layout faces --size 8 -o cube.exr");
+  EXPECT_THAT(refuse(2, "lights cube_px.exr --scale 2 -o -.exr"), HasSubstr("one file"));
+}
+
+/// A map of 24 MB as floats, with a sun.
+Image largeMap() {
+  Image map(2048, 1024, 3, 0.5f);
+  std::fill_n(map.texel(1000, 400), 3, 3e5f);
+  return map;
+}
+
+// Beside the map there is a float for each of its texels, 8 MB.
+TEST_F(LightsTest, ScalingTakesNoMoreMemoryThanItMay) {
+  write("large.exr", largeMap());
+  EXPECT_THAT(refuse(1, "lights large.exr --scale 2 -o out.exr --max-memory 26M"),
+              AllOf(StartsWith("large.exr: "), HasSubstr("needs 32 MB"), HasSubstr("26 MB may be used")));
+  succeed("lights large.exr --scale 2 -o out.exr --max-memory 33M");
+}
+
+using LightsMemoryTest = PeakMemoryTest;
+
+TEST_F(LightsMemoryTest, AMapIsScaledWithoutACopy) {
+  write("large.exr", largeMap());
+  const std::uint64_t found = run("lights large.exr").peak_memory;
+  const Outcome scaled = run("lights large.exr --scale 2 -o out.exr");
+  EXPECT_EQ(scaled.exit_code, 0);
+  EXPECT_LT(scaled.peak_memory, found + 24 * kMega);
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

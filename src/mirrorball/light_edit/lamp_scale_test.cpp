@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/light_edit/light_edit_testing.h"
 
 namespace mirrorball {
@@ -21,7 +25,7 @@ using testing::smoothSky;
 constexpr LampSettings kAllSizes{.max_size_deg = 360.0f};
 
 EnvironmentMap scaled(const EnvironmentMap& map, float factor, const LampSettings& settings = kAllSizes) {
-  auto result = scaleLamps(map, map, factor, settings);
+  auto result = scaleLamps(Environment(map), factor, settings);
   EXPECT_TRUE(result) << result.error().message;
   return std::move(result->map);
 }
@@ -142,7 +146,7 @@ TEST(LampScale, OnlyTheLampsThatAreSelected) {
   EXPECT_NEAR(after[1].illuminance(), before[1].illuminance(), 1e-4f * before[1].illuminance());
   LampSettings small = kAllSizes;
   small.max_size_deg = 0.1f;
-  const auto none = scaleLamps(map, map, 4.0f, small);
+  const auto none = scaleLamps(Environment(map), 4.0f, small);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->lamps.empty());
 }
@@ -158,7 +162,7 @@ TEST(LampScale, AMapOfAnyFormKeepsIt) {
         },
         projection, 512);
     const auto panorama = [](const EnvironmentMap& of) { return *searchedMap(Environment(of)); };
-    auto result = scaleLamps(map, panorama(map), 2.0f, kAllSizes);
+    auto result = scaleLamps(Environment(map), 2.0f, kAllSizes);
     ASSERT_TRUE(result);
     ASSERT_EQ(result->lamps.size(), 1u) << int(projection);
     EXPECT_EQ(result->map.projection(), projection);
@@ -177,7 +181,7 @@ TEST(LampScale, AMapOfAnyFormKeepsIt) {
 
 TEST(LampScale, MapsWithoutLampsAndExtremes) {
   const EnvironmentMap black = mapOfSky([](glm::vec3) { return glm::vec3(0.0f); }, Projection::equirect, 64);
-  auto none = scaleLamps(black, black, 2.0f, kAllSizes);
+  auto none = scaleLamps(Environment(black), 2.0f, kAllSizes);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->lamps.empty());
   const EnvironmentMap one(Projection::equirect, [] {
@@ -185,10 +189,10 @@ TEST(LampScale, MapsWithoutLampsAndExtremes) {
     images.at(0, 0) = Image(2, 1, 3, 1.0f);
     return images;
   }());
-  EXPECT_TRUE(scaleLamps(one, one, 0.0f, kAllSizes));
+  EXPECT_TRUE(scaleLamps(Environment(one), 0.0f, kAllSizes));
   EnvironmentMap brightest = mapOfSky(smoothSky, Projection::equirect, 256);
   std::fill_n(brightest.face(0).texel(256, 60), 3, 9e35f);
-  const auto too_bright = scaleLamps(brightest, brightest, 1000.0f, kAllSizes);
+  const auto too_bright = scaleLamps(Environment(brightest), 1000.0f, kAllSizes);
   ASSERT_FALSE(too_bright);
   EXPECT_EQ(too_bright.error().code, ErrorCode::out_of_range);
 }
@@ -199,14 +203,63 @@ TEST(LampScale, NegativeLightAndAlphaStay) {
   Image with_alpha(512, 256, 4, 0.25f);
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 512; ++x) std::copy_n(map.face(0).texel(x, y), 3, with_alpha.texel(x, y));
-  const EnvironmentMap searched = map;
   std::fill_n(with_alpha.texel(3, 5), 3, -0.5f);
   map.face(0) = with_alpha;
-  auto result = scaleLamps(map, searched, 2.0f, kAllSizes);
+  auto result = scaleLamps(Environment(map), 2.0f, kAllSizes);
   ASSERT_TRUE(result);
   ASSERT_EQ(result->lamps.size(), 1u);
   EXPECT_EQ(result->map.face(0).texel(3, 5)[1], -0.5f);
   for (int x = 0; x < 512; ++x) ASSERT_EQ(result->map.face(0).texel(x, 127)[3], 0.25f);
+}
+
+/// A limit of memory, while it lives.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::uint64_t bytes) : before_(memoryLimit()) { setMemoryLimit(bytes); }
+  ~MemoryLimit() { setMemoryLimit(before_); }
+
+ private:
+  const std::uint64_t before_;
+};
+
+// A panorama of 3 MB, of which no second one is made, and a float for each of its texels, 1 MB.
+TEST(LampScale, MemoryIsCheckedBeforeItIsTaken) {
+  const EnvironmentMap sky = mapOfSky(smoothSky, Projection::equirect, 362);
+  const EnvironmentMap map = mapOfSuns({{{0.3f, 0.8f, -0.5f}, 1.0f}}, smoothSky, Projection::equirect, 362);
+  EnvironmentMap negative = map;
+  negative.face(0).texel(3, 300)[0] = -1.0f;
+  const auto errorWithin = [](const EnvironmentMap& scaled, std::uint64_t bytes) {
+    const MemoryLimit limit(bytes);
+    const auto result = scaleLamps(Environment(scaled), 2.0f, kAllSizes);
+    return result ? std::nullopt : std::optional(result.error().code);
+  };
+  EXPECT_EQ(errorWithin(map, 4'100'000), ErrorCode::too_large);
+  EXPECT_EQ(errorWithin(map, 4'300'000), std::nullopt);
+  EXPECT_EQ(errorWithin(sky, 3'200'000), std::nullopt) << "without lamps nothing is made";
+  EXPECT_EQ(errorWithin(negative, 6'200'000), ErrorCode::too_large) << "a copy without negative light";
+  EXPECT_EQ(errorWithin(negative, 7'400'000), std::nullopt);
+  const EnvironmentMap octahedral = mapOfSky(smoothSky, Projection::octahedral, 512);
+  EXPECT_EQ(errorWithin(octahedral, 5'000'000), ErrorCode::too_large) << "and a panorama";
+}
+
+TEST(LampScale, StopsWhenItIsAskedTo) {
+  const MadeSun sun{{0.4f, 0.5f, 0.7f}, 20.0f, glm::vec3(100.0f)};
+  for (const Projection projection : {Projection::equirect, Projection::cube}) {
+    const EnvironmentMap map = mapOfSuns({sun}, smoothSky, projection, 256);
+    for (const std::size_t last : {0u, 100u}) {
+      std::size_t polled = 0;
+      const Observer observer{.progress = [&](std::string_view) -> ProgressFunction {
+        return [&](std::size_t done, std::size_t total) {
+          EXPECT_EQ(total, std::size_t(map.extent().y) * std::size_t(map.faces()));
+          return ++polled, done < last;
+        };
+      }};
+      const auto result = scaleLamps(Environment(map), 2.0f, kAllSizes, observer);
+      ASSERT_FALSE(result);
+      EXPECT_EQ(result.error().code, ErrorCode::interrupted);
+      EXPECT_GT(polled, last);
+    }
+  }
 }
 
 }  // namespace

@@ -195,6 +195,10 @@ float glowReach_rad(const EnvironmentMap& map) { return std::max(kGlow_rad, 2.0f
 Result<EnvironmentMap> searchedMap(Environment environment, const ProgressFunction& progress) {
   EnvironmentMap* map = environment.map();
   if (map != nullptr && hasKnownNeighbours(map->projection())) return std::move(*map);
+  return searchedPanorama(environment, progress);
+}
+
+Result<EnvironmentMap> searchedPanorama(const Environment& environment, const ProgressFunction& progress) {
   return convert(environment, Projection::equirect, environment.naturalSize(Projection::equirect), {}, progress);
 }
 

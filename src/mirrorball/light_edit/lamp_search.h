@@ -25,6 +25,9 @@ float glowReach_rad(const EnvironmentMap& map);
 /// errors   as convert's
 Result<EnvironmentMap> searchedMap(Environment environment, const ProgressFunction& progress = {});
 
+/// That panorama, whatever form the environment has.
+Result<EnvironmentMap> searchedPanorama(const Environment& environment, const ProgressFunction& progress = {});
+
 /// ∫ radiance over the sphere.
 ///
 /// cost     one pass over the texels, on all cores: 0.1 µs for each of a cube, less for those of a panorama

@@ -1,6 +1,5 @@
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +9,9 @@
 #include "cli/files.h"
 #include "cli/interruption.h"
 #include "cli/map_inputs.h"
+#include "cli/scene_inputs.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
-#include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
@@ -59,7 +58,6 @@ struct ContactRequest {
   std::vector<std::string> inputs;
   ContactFiles files;
   ContactSettings settings;
-  GivenOptions set;  ///< options that the user has set
 };
 
 /// Refuses what can be refused before anything is read.
@@ -78,37 +76,31 @@ Result<void> checkContactOutput(const ContactRequest& request) {
 
 /// The maps and models, each cube once.
 std::vector<ContactInput> contactInputs(const ContactRequest& request, const FormHint& from) {
-  std::vector<std::string> maps;
-  for (const std::string& input : request.inputs)
-    if (!isModelInput(input)) maps.push_back(input);
-  const std::vector<std::string> kept = withEachCubeOnce(maps, from);
   std::vector<ContactInput> inputs;
-  auto next = kept.begin();
+  std::vector<std::string> maps;
   for (const std::string& input : request.inputs) {
-    const bool is_kept = next != kept.end() && *next == input;
-    if (!is_kept && !isModelInput(input)) continue;
-    inputs.push_back({input, shown(input)});
-    if (is_kept) ++next;
+    inputs.push_back({input, shown(input), isModelInput(input)});
+    if (!inputs.back().is_model) maps.push_back(input);
   }
+  const std::vector<std::string> kept = withEachCubeOnce(maps, from);
+  auto next = kept.begin();
+  std::erase_if(inputs, [&](const ContactInput& each) {
+    if (each.is_model) return false;
+    const bool is_kept = next != kept.end() && *next == each.input;
+    if (is_kept) ++next;
+    return !is_kept;
+  });
   return inputs;
 }
 
 /// Remarks on options that change nothing.
 void remarkOnModelOptions(const ContactRequest& request, const std::vector<ContactInput>& inputs) {
   for (const ContactInput& each : inputs)
-    if (isModelInput(each.input)) return;
+    if (each.is_model) return;
   std::vector<std::string> idle;
   for (const std::string_view name : kOfModels)
-    if (request.set.contains(name)) idle.push_back("--" + std::string(name));
+    if (request.settings.stated.contains(name)) idle.push_back("--" + std::string(name));
   if (!idle.empty()) remark(changesNothing(idle, "none of the inputs is a model"));
-}
-
-Result<std::optional<CacheFolder>> cacheFor(const ContactRequest& request) {
-  if (request.files.is_uncached) return std::optional<CacheFolder>();
-  MIRRORBALL_TRY(folder, CacheFolder::ofUser());
-  if (folder)
-    if (const auto usable = folder->check(); !usable) remark(usable.error().message);
-  return folder;
 }
 
 /// Writes a sheet of all inputs that can be shown.
@@ -119,7 +111,7 @@ Result<void> contact(const ContactRequest& request) {
   MIRRORBALL_TRY(hint, formHintNamed(request.settings.from));
   const std::vector<ContactInput> inputs = contactInputs(request, hint);
   remarkOnModelOptions(request, inputs);
-  MIRRORBALL_TRY(cache, cacheFor(request));
+  MIRRORBALL_TRY(cache, cacheFolder(request.files.is_uncached));
   std::vector<Error> errors;
   const bool is_one = inputs.size() == 1;
   MIRRORBALL_TRY(sheet, makeContactSheet(inputs, request.settings, cache, terminalObserver(), [&](const Error& error) {
@@ -159,17 +151,19 @@ Command contactCommand() {
               request->inputs);
   ContactSettings& settings = request->settings;
   addOptions(command, std::span(kContactFileOptions).first(1), request->files);
-  addOptions(command, contactOptions(), settings, &request->set);
+  addOptions(command, contactOptions(), settings, &settings.stated);
   static const auto of_frame =
       rowsNamed(frameOptions(), std::array<std::string_view, 3>{"tone-map", "samples", "camera"});
   static const auto of_stance = rowsNamed(stanceOptions(), std::array<std::string_view, 1>{"up"});
-  addOptions(command, of_frame, settings.frame, &request->set);
-  addOptions(command, of_stance, settings.stance, &request->set);
-  addOptions(command, qualityOptions(), settings.quality, &request->set);
-  addOptions(command, std::span(&kInsideOnly, 1), settings, &request->set);
-  addOptions(command, std::span(kContactFileOptions).subspan(1), request->files, &request->set);
+  addOptions(command, of_frame, settings.frame, &settings.stated);
+  addOptions(command, of_stance, settings.stance, &settings.stated);
+  addOptions(command, qualityOptions(), settings.quality, &settings.stated);
+  addOptions(command, std::span(&kInsideOnly, 1), settings, &settings.stated);
+  addOptions(command, std::span(kContactFileOptions).subspan(1), request->files, &settings.stated);
   command.action = [request] {
-    return withStandardStreams(pointersTo(request->inputs), request->files.output, [&] { return contact(*request); });
+    std::vector<std::string*> inputs = pointersTo(request->inputs);
+    inputs.push_back(&request->settings.environment);
+    return withStandardStreams(inputs, request->files.output, [&] { return contact(*request); });
   };
   return command;
 }

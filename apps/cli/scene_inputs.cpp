@@ -99,6 +99,14 @@ Result<Inputs> checkedInputs(Result<Inputs> inputs, const SceneRequest& request,
 
 }  // namespace
 
+Result<std::optional<CacheFolder>> cacheFolder(bool is_uncached) {
+  if (is_uncached) return std::optional<CacheFolder>();
+  MIRRORBALL_TRY(folder, CacheFolder::ofUser());
+  if (folder)
+    if (const auto usable = folder->check(); !usable) remark(usable.error().message);
+  return folder;
+}
+
 Result<void> checkShown(const FrameSettings& settings, const Scene& scene) {
   MIRRORBALL_TRY(doubts, checkFrame(settings, scene));
   for (const std::string& line : doubts) remark(line);
@@ -123,12 +131,8 @@ std::string nameOf(const QualityRequest& wish) { return written(qualityOptions()
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials, FrameSettings& look,
                                 const GivenOptions& given, std::span<const std::string> outputs, StageClock& clock) {
   MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
-  if (!request.is_uncached) {
-    MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
-    if (of_user)
-      if (const auto usable = of_user->check(); !usable) remark(usable.error().message);
-    names.cache = std::move(of_user);
-  }
+  MIRRORBALL_TRY(cache, cacheFolder(request.is_uncached));
+  names.cache = std::move(cache);
   names.wishes = TechniqueWishes{request.wish.quality, given, request.objects_move};
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
   if (inputs) look = inputs->frame;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "cli/command.h"
 #include "cli/stage_clock.h"
+#include "mirrorball/base/cache_folder.h"
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/settings/quality.h"
 #include "mirrorball/scene/material/material_changes.h"
@@ -33,6 +35,11 @@ std::span<const Option<SceneRequest>> sceneOptions();
 
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
+
+/// The user's cache folder, if there is one and it is to be used; remarks on one that cannot be used.
+///
+/// errors   as CacheFolder::ofUser's
+Result<std::optional<CacheFolder>> cacheFolder(bool is_uncached);
 
 /// Says what is doubtful about a frame of a scene.
 ///

@@ -1,10 +1,16 @@
 // contact: a sheet of many maps and models.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include <sys/inotify.h>
+#include <unistd.h>
+
 #include "cli/cli_testing.h"
+#include "mirrorball/base/descriptor.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -135,6 +141,39 @@ TEST_F(ContactOfModelsTest, AModelLooksTheSameInAnyCompany) {
 
 TEST_F(ContactOfModelsTest, WithoutItsEnvironmentNoModelIsShown) {
   EXPECT_THAT(refuse(1, "contact sphere white -e none.hdr -o sheet.png"), HasSubstr("none.hdr"));
+}
+
+TEST_F(ContactOfModelsTest, TheEnvironmentMayComeThroughAPipe) {
+  write("attic.exr", smoothPanorama());
+  const std::string look = " --size 64 --quality draft --samples 1 ";
+  succeed("contact sphere -e attic.exr" + look + "-o file.png");
+  succeed("contact sphere -e -" + look + "-o piped.png", {.input = bytes("attic.exr")});
+  EXPECT_TRUE(bytes("piped.png") == bytes("file.png"));
+  EXPECT_THAT(refuse(2, "contact - -e - -o both.png", {.input = bytes("attic.exr")}), HasSubstr("2 times"));
+}
+
+// As with render, a quality chooses only what is left open.
+TEST_F(ContactOfModelsTest, OptionsThatAreStatedStayAsTheyAreInAnyQuality) {
+  const std::string line = "contact sphere -e white --size 32 --quality best -o ";
+  succeed(line + "one.png --samples 1");
+  succeed(line + "four.png --samples 4");
+  EXPECT_FALSE(bytes("one.png") == bytes("four.png"));
+}
+
+// What kind an input is of is found out once, not by each step that depends on it.
+TEST_F(ContactCommandTest, AFileIsOpenedAFewTimes) {
+  const Descriptor watch(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
+  // With the closings between them, openings are not merged into one event.
+  ASSERT_GE(::inotify_add_watch(watch.number(), path("attic.exr").c_str(), IN_OPEN | IN_CLOSE_NOWRITE), 0);
+  succeed("contact attic.exr --size 64 -o sheet.png");
+  std::array<inotify_event, 256> events;  // of a file, and so without names
+  const ssize_t bytes = ::read(watch.number(), events.data(), sizeof(events));
+  ASSERT_GT(bytes, 0);
+  const auto end = events.begin() + bytes / ssize_t(sizeof(inotify_event));
+  const auto openings =
+      std::count_if(events.begin(), end, [](const inotify_event& event) { return event.mask & IN_OPEN; });
+  EXPECT_GE(openings, 1);
+  EXPECT_LE(openings, 3);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 glm::ivec2 pictureSize(std::span<const ContactInput> inputs, int width_px) {
   const bool has_models =
-      std::any_of(inputs.begin(), inputs.end(), [](const ContactInput& each) { return isModelInput(each.input); });
+      std::any_of(inputs.begin(), inputs.end(), [](const ContactInput& each) { return each.is_model; });
   return {width_px, has_models ? 3 * width_px / 4 : width_px / 2};
 }
 
@@ -72,7 +72,7 @@ Result<ContactSheet> makeContactSheet(std::span<const ContactInput> inputs, cons
     const ProgressFunction unlessStopped = [&](std::size_t, std::size_t) {
       return !progress || progress(i, inputs.size());
     };
-    const bool is_model = isModelInput(input);
+    const bool is_model = inputs[i].is_model;
     if (is_model && !models) {
       MIRRORBALL_TRY(made, ModelCellPictures::make(settings, size_px, cache, observer, sheet.notes));
       append(made.files(), sheet.files);

@@ -17,6 +17,7 @@ namespace mirrorball {
 struct ContactInput {
   std::string input;  ///< a map (loadEnvironment) or a model (loadModel), by a file's or a built-in's name
   std::string name;   ///< that is shown of it; its last part is, as far as that tells it from others
+  bool is_model;      ///< isModelInput
 };
 
 /// A sheet, and what there is to know about it.
@@ -28,6 +29,8 @@ struct ContactSheet {
 
 /// Whether an input is shown as a model: a built-in shape, a file that loadModel takes, or a name that ends as if it
 /// were one.
+///
+/// cost     reading the begin of a file
 bool isModelInput(const std::string& input);
 
 /// A contact sheet: a cell for each input in their order, with its picture, its name and a line of facts. Maps are

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <glm/vec3.hpp>
 
@@ -25,6 +27,7 @@ struct ContactSettings {
   QualityRequest quality = {Quality::good};                 ///< of models
   ModelStance stance = {};                                  ///< of models
   bool inside_only = false;                                 ///< ModelLoadOptions'
+  std::set<std::string_view> stated = {};                   ///< names of options that the quality leaves as they are
 };
 
 /// The table of what is a sheet's alone; a frontend adds rows of frameOptions(), stanceOptions() and qualityOptions().

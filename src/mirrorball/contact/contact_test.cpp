@@ -57,8 +57,8 @@ class ContactTest : public ::testing::Test {
 };
 
 TEST_F(ContactTest, ABadInputIsReportedAndTheOthersAreShown) {
-  const Made made =
-      make({{"white", "white"}, {"/none.hdr", "none.hdr"}, {"sky", "sky"}}, {.columns = 3, .width_px = 64});
+  const Made made = make({{"white", "white", false}, {"/none.hdr", "none.hdr", false}, {"sky", "sky", false}},
+                         {.columns = 3, .width_px = 64});
   ASSERT_TRUE(made.sheet);
   ASSERT_THAT(made.errors, SizeIs(1));
   EXPECT_THAT(made.errors[0].message, HasSubstr("/none.hdr"));
@@ -98,7 +98,8 @@ TEST_F(ContactTest, ByRowsAPanoramaLooksTheSame) {
 }
 
 TEST_F(ContactTest, ANameWithoutLatinLettersIsFoundByItsNumber) {
-  const Made made = make({{"white", "white"}, {"uv", "夜景.hdr"}, {"sky", "Zürich.hdr"}}, {.width_px = 64});
+  const Made made =
+      make({{"white", "white", false}, {"uv", "夜景.hdr", false}, {"sky", "Zürich.hdr", false}}, {.width_px = 64});
   ASSERT_TRUE(made.sheet);
   EXPECT_THAT(made.sheet->notes, ElementsAre(HasSubstr("夜景.hdr: is number 2 on the sheet")));
 }
@@ -108,7 +109,7 @@ TEST_F(ContactTest, StopsWhenItIsAskedTo) {
   observer.progress = [](std::string_view) -> ProgressFunction {
     return [](std::size_t done, std::size_t) { return done < 1; };
   };
-  const Made made = make({{"white", "white"}, {"sky", "sky"}}, {.width_px = 64}, observer);
+  const Made made = make({{"white", "white", false}, {"sky", "sky", false}}, {.width_px = 64}, observer);
   ASSERT_FALSE(made.sheet);
   EXPECT_EQ(made.sheet.error().code, ErrorCode::interrupted);
   EXPECT_THAT(made.errors, SizeIs(0));

@@ -49,7 +49,7 @@ Result<ModelCellPictures> ModelCellPictures::make(const ContactSettings& setting
                          .up = settings.stance.up,
                          .frame = frameFor(settings, size_px),
                          .cache = cache};
-  TechniqueWishes choice{settings.quality.quality};
+  TechniqueWishes choice{settings.quality.quality, settings.stated};
   choice.has_strong_sun = has_strong_sun;
   return ModelCellPictures(std::move(renderer), std::move(names), std::move(choice), largest_texture,
                            std::move(loaded.files));

@@ -89,40 +89,17 @@ constexpr std::array<std::string_view, 1> kOfSplit{"split"};
 constexpr std::array<std::string_view, 2> kOfLamps{"min-share", "max-size"};
 constexpr std::array<std::string_view, 2> kOfTextures{"format", "zstd"};
 
-/// Options that describe only some parts of a set.
-struct OptionsOfParts {
-  std::vector<std::string_view> names;
-  std::vector<BakedPart> parts;
-};
-
-std::span<const OptionsOfParts> optionsOfParts() {
-  using enum BakedPart;
-  static const std::vector<OptionsOfParts> rows{
-      {{"size", "levels", "mip-mapping"}, {specular}},
-      {{"distribution"}, {specular, brdf, lobe_rows}},
-      {{"irradiance-size"}, {irradiance}},
-      {{"sh-degree"}, {harmonics}},
-      {{"brdf-size", "brdf-channels", "brdf-axes", "brdf-extension"}, {brdf}},
-      {{"lobe-rows"}, {lobe_rows}},
-      {{"skybox", "skybox-size"}, {skybox}},
-      {{"as-seen", "flip", "face-order"}, {specular, irradiance, skybox}},
-      {{"extension", "format"}, {specular, irradiance, skybox, brdf}},
-      {{"zstd"}, {specular, irradiance, skybox, brdf, lobe_rows}},
-      {{"scale-light", "clamp-light", "rotate", "split", "min-share", "max-size"},
-       {specular, irradiance, skybox, harmonics}}};
-  return rows;
-}
-
 /// Refuses options that describe only parts that are not asked for.
 ///
 /// errors   usage
 Result<void> refuseOfOtherParts(const BakeRequest& request) {
   const std::vector<BakedPart>& only = request.settings.only;
   if (only.empty()) return {};
-  for (const OptionsOfParts& row : optionsOfParts())
-    if (std::ranges::none_of(only, [&](BakedPart part) { return contains(row.parts, part); }))
-      MIRRORBALL_TRY_VOID(
-          refuseGiven(request.stated, row.names, {"", " describes what --only leaves out; leave it out"}));
+  for (const std::string_view option : request.stated) {
+    const std::span<const BakedPart> parts = partsDescribedBy(option);
+    if (!parts.empty() && std::ranges::none_of(only, [&](BakedPart part) { return contains(parts, part); }))
+      return fail(ErrorCode::usage, "--" + std::string(option) + " describes what --only leaves out; leave it out");
+  }
   return {};
 }
 
@@ -179,7 +156,7 @@ Observer observerFor(const std::string& output) {
   if (isOneFile(output) || !std::filesystem::exists(output, status)) return observer;
   observer.progress = [output](std::string_view stage) {
     if (stage == "write")
-      whenInterrupted("interrupted; " + output + " has only some of the new files, and no manifest");
+      whenInterrupted("interrupted; " + output + " has only some of the new files, and no manifest of them");
     return progressBar(std::string(stage));
   };
   return observer;

@@ -135,6 +135,9 @@ TEST_F(BakePartsTest, ContradictionsAreRefused) {
       {"--only irradiance,specular --for three", "finds irradiance in the last level; leave out"},
       {"--only specular --for babylon", "Babylon.js reads one .env with all in it"},
       {"--only harmonics --for gltf", "reads one .glb with all in it"}};
+  for (const std::string program : {"filament", "three"})
+    EXPECT_THAT(refuse(2, "bake map.exr --only irradiance -o light.ktx2 --for " + program),
+                HasSubstr("has a BRDF table of its own"));
   for (const auto& [options, line] : cases)
     EXPECT_THAT(refuse(2, "bake map.exr -o out " + options), HasSubstr(line)) << options;
   EXPECT_THAT(refuse(2, "bake map.exr -o light.env --for babylon --only specular"), HasSubstr("leave --only out"));
@@ -157,17 +160,123 @@ TEST_F(BakePartsTest, OtherPartsOfTheSameSetStay) {
   EXPECT_EQ(jsonIn("whole/manifest.json")["faces"], manifest["faces"]);
 }
 
-TEST_F(BakePartsTest, PartsOfOtherLightDoNotStay) {
-  write("other.exr", smoothPanorama());
-  for (const std::string line :
-       {"other.exr --only irradiance", "map.exr --only irradiance --rotate 90", "map.exr --only irradiance --split",
-        "map.exr --only irradiance --for unity --extension ktx2"}) {
-    succeed(kWhole);
-    succeed("bake -o whole --irradiance-size 4 " + line);
-    EXPECT_FALSE(jsonIn("whole/manifest.json").contains("specular")) << line;
-    EXPECT_THAT(files(), Not(Contains("whole/specular.ktx2"))) << line;
-    std::filesystem::remove_all(path("whole"));
+// The light is known by its texels, whatever the input is called.
+TEST_F(BakePartsTest, TheSameLightMayHaveAnotherName) {
+  succeed(kWhole);
+  const std::vector<std::string> before = files();
+  std::filesystem::copy(path("map.exr"), path("copy.exr"));
+  for (const std::string input : {"./map.exr", "copy.exr", "map.exr --rotate 0", "map.exr --scale-light 1"}) {
+    succeed("bake -o whole --irradiance-size 4 --only irradiance " + input);
+    EXPECT_THAT(files(), IsSupersetOf(before)) << input;
+    EXPECT_TRUE(jsonIn("whole/manifest.json").contains("specular")) << input;
   }
+  succeed("bake map.exr -o split --split --size 16 --irradiance-size 8 --brdf-size 8");
+  succeed("bake ./map.exr -o split --split --only irradiance --irradiance-size 4");
+  EXPECT_THAT(files(), IsSupersetOf({"split/specular.ktx2", "split/lamps.json", "split/sh.json"}));
+  EXPECT_TRUE(jsonIn("split/manifest.json").contains("lamps"));
+}
+
+TEST_F(BakePartsTest, PartsOfOtherLightAreRefusedAndNothingIsRemoved) {
+  write("other.exr", smoothPanorama());
+  succeed(kWhole);
+  for (const std::string line :
+       {"other.exr", "map.exr --rotate 90", "map.exr --split", "map.exr --scale-light 2", "studio"})
+    EXPECT_THAT(refuse(2, "bake -o whole --irradiance-size 4 --only irradiance " + line),
+                HasSubstr("whole: holds parts of another light; bake all of it again without --only, or name another "
+                          "folder"))
+        << line;
+  EXPECT_THAT(refuse(2, "bake map.exr -o whole --only irradiance --for unity --extension ktx2"),
+              HasSubstr("whole: holds cubes whose faces are arranged in another way"));
+  EXPECT_THAT(run("bake other.exr -o whole --only irradiance --timings").err,
+              AllOf(HasSubstr("another light"), Not(HasSubstr("analyse"))));
+  // After a note of how much light the limit takes.
+  const Outcome limited = run("bake map.exr -o whole --only irradiance --clamp-light 0.5");
+  EXPECT_EQ(limited.exit_code, 2);
+  EXPECT_THAT(limited.err, HasSubstr("another light"));
+  // Files of one name may get other content.
+  write("map.exr", smoothPanorama());
+  EXPECT_THAT(refuse(2, "bake map.exr -o whole --only irradiance"), HasSubstr("another light"));
+  succeed(kWhole);
+  succeed("bake other.exr -o whole --only irradiance --irradiance-size 4");
+}
+
+TEST_F(BakePartsTest, LampsOfOneLightAreNoneOfAnother) {
+  succeed("bake map.exr -o split --split --size 16 --irradiance-size 8 --brdf-size 8");
+  for (const std::string line : {"map.exr", "map.exr --split --max-size 1", "map.exr --split --min-share 0.5"})
+    EXPECT_THAT(refuse(2, "bake -o split --only specular --size 16 " + line), HasSubstr("another light")) << line;
+}
+
+// Built-in light has no texels before it is looked up.
+TEST_F(BakePartsTest, BuiltInLightIsKnownByItsValues) {
+  succeed("bake studio -o out --only specular --size 8");
+  succeed("bake studio -o out --only irradiance --irradiance-size 4");
+  EXPECT_TRUE(jsonIn("out/manifest.json").contains("specular"));
+  for (const std::string line : {"sunset", "studio --scale-light 2", "studio --rotate 20"})
+    EXPECT_THAT(refuse(2, "bake -o out --only irradiance " + line), HasSubstr("another light")) << line;
+}
+
+// Neither the BRDF table nor rows of lobes depend on an environment.
+TEST_F(BakePartsTest, TablesStayBesideAnyLight) {
+  write("other.exr", smoothPanorama());
+  succeed("bake map.exr -o out --only brdf,lobe-rows --brdf-size 8");
+  EXPECT_FALSE(jsonIn("out/manifest.json").contains("light_hash"));
+  succeed("bake other.exr -o out --only irradiance --irradiance-size 4");
+  EXPECT_THAT(files(), IsSupersetOf({"out/brdf.ktx2", "out/lobe_rows.json", "out/lobe_rows.ktx2"}));
+  nlohmann::json before = jsonIn("out/manifest.json");
+  EXPECT_EQ(before["source"], "other.exr");
+  EXPECT_TRUE(before.contains("brdf"));
+  succeed("bake map.exr -o out --only brdf --brdf-size 4 --extension dds");
+  nlohmann::json after = jsonIn("out/manifest.json");
+  EXPECT_EQ(after["brdf"]["file"], "brdf.dds");
+  for (const char* const key : {"source", "light_hash", "faces", "irradiance", "lobe_rows"})
+    EXPECT_EQ(after[key], before[key]) << key;
+  EXPECT_THAT(files(), Not(Contains("out/brdf.ktx2")));
+}
+
+TEST_F(BakePartsTest, AManifestWithoutAHashIsOfAnotherLight) {
+  succeed(kWhole);
+  nlohmann::json manifest = jsonIn("whole/manifest.json");
+  manifest.erase("light_hash");
+  write("whole/manifest.json", manifest.dump());
+  EXPECT_THAT(refuse(2, "bake map.exr -o whole --only irradiance"), HasSubstr("another light"));
+  succeed("bake map.exr -o whole --only brdf --brdf-size 4");
+  EXPECT_THAT(files(), IsSupersetOf({"whole/specular.ktx2", "whole/sh.json"}));
+}
+
+// What a folder holds is then not known, and so nothing is removed.
+TEST_F(BakePartsTest, AManifestThatCannotBeReadIsRefused) {
+  succeed(kWhole);
+  const std::string deep(200000, '[');
+  for (const std::string& manifest :
+       {std::string("[1, 2]"), std::string("no JSON"), std::string(), deep, deep + std::string(200000, ']'),
+        R"({"specular": )" + deep + std::string(200000, ']') + "}"}) {
+    write("whole/manifest.json", manifest);
+    EXPECT_THAT(refuse(1, "bake map.exr -o whole --only irradiance"),
+                AllOf(HasSubstr("whole/manifest.json: does not describe a set"), HasSubstr("without --only")));
+    succeed("bake map.exr -o whole --size 16 --irradiance-size 4 --brdf-size 4");
+  }
+  write("whole/manifest.json", std::string(2000000, ' '));
+  EXPECT_THAT(refuse(1, "bake map.exr -o whole --only irradiance"), HasSubstr("whole/manifest.json"));
+}
+
+// A folder in the place of one of its files makes a set fail after others were written.
+TEST_F(BakePartsTest, WhatStaysIsInAManifestAlsoIfTheRestFails) {
+  succeed(kWhole);
+  nlohmann::json before = jsonIn("whole/manifest.json");
+  const Bytes chain = bytes("whole/specular.ktx2");
+  std::filesystem::remove(path("whole/sh.h"));
+  std::filesystem::create_directories(path("whole/sh.h/in_the_way"));
+  const Outcome outcome = run("bake map.exr -o whole --only irradiance,harmonics --irradiance-size 4");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  nlohmann::json after = jsonIn("whole/manifest.json");
+  for (const char* const key : {"source", "light_hash", "faces", "specular", "brdf", "lobe_rows"})
+    EXPECT_EQ(after[key], before[key]) << key;
+  EXPECT_FALSE(after.contains("irradiance"));
+  EXPECT_FALSE(after.contains("harmonics"));
+  EXPECT_EQ(bytes("whole/specular.ktx2"), chain);
+  std::filesystem::remove_all(path("whole/sh.h"));
+  succeed("bake map.exr -o whole --only irradiance,harmonics --irradiance-size 4");
+  EXPECT_EQ(jsonIn("whole/manifest.json")["specular"], before["specular"]);
 }
 
 }  // namespace

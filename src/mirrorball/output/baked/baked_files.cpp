@@ -135,6 +135,8 @@ Result<BakedFiles> oneTexture(const std::string& output, const BakedSetSettings&
   if (!is_cube || settings.only.size() > 1)
     return fail(ErrorCode::usage, output + ": one texture holds specular, irradiance or skybox, not " +
                                       writtenSetting(settings, "only") + "; name a folder, without an extension");
+  // A packed file has no parts, but its program may read any cube as a texture.
+  if (set.files != SetFiles::packed) MIRRORBALL_TRY_VOID(checkParts(settings, set));
   MIRRORBALL_TRY(cube, CubeFiles::resolve(settings.file, output, observer));
   BakedFiles files{.set = set};
   std::optional<CubeFiles>& place = part == BakedPart::irradiance ? files.irradiance
@@ -229,7 +231,7 @@ std::vector<std::string> BakedFiles::paths() const {
   if (lobe_rows) add({lobe_rows->texture()});
   if (lobe_rows && lobe_rows->has_text) add({lobe_rows->text()});
   for (const std::string& name : harmonics) add({folder + "/" + name});
-  add({folder + "/manifest.json"});
+  add({folder + "/" + kManifestName});
   return all;
 }
 

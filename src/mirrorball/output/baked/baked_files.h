@@ -22,6 +22,7 @@ std::string writtenSetting(const BakedSetSettings& settings, std::string_view na
 /// What the names of a set's lamps begin with, and those of a program's own file and of the chain beside it.
 inline constexpr const char* kLampStem = "lamps";
 inline constexpr const char* kPackedStem = "environment";
+inline constexpr const char* kManifestName = "manifest.json";
 
 /// Where the files of a set are, and how they are stored.
 struct BakedFiles {
@@ -46,6 +47,9 @@ struct BakedFiles {
 
   /// The first of the cubes that there are; nullptr: there are none.
   const CubeFiles* anyCube() const;
+
+  /// Whether any of them depends on the environment; tables do not.
+  bool hasLight() const { return anyCube() != nullptr || !packed.empty() || !harmonics.empty() || !lamps.empty(); }
 };
 
 /// The format of the cubes that the settings leave to the engine.

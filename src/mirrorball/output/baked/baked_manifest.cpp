@@ -1,7 +1,5 @@
 #include "mirrorball/output/baked/baked_manifest.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -11,13 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "formula/bsdf.h"
-#include "mirrorball/base/file.h"
-#include "mirrorball/base/range.h"
-#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
-#include "mirrorball/environment/file/face_files.h"
-#include "mirrorball/output/lamps/lamp_files.h"
 
 namespace mirrorball {
 namespace {
@@ -129,84 +122,30 @@ Json harmonicsJson(const EngineSet& set, const BakedSetSettings& settings) {
   return {{"file", "sh.json"}, {"header", "sh.h"}, {"degree", settings.harmonics_degree}};
 }
 
-/// All names of files that a manifest has, whatever it is.
-void collectFiles(const Json& json, std::vector<std::string>& names) {
-  if (json.is_array())
-    for (const Json& element : json) collectFiles(element, names);
-  if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_string() && (key == "file" || key == "header" || key == "json"))
-      names.push_back(value.get<std::string>());
-    if (value.is_array() && key == "files")
-      for (const Json& name : value)
-        if (name.is_string()) names.push_back(name.get<std::string>());
-    collectFiles(value, names);
+/// What a manifest states of all parts of a set. Tables describe no light, and are of no environment.
+Json manifestHead(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings) {
+  Json json{{"made_by", settings.made_by}};
+  if (files.hasLight()) {
+    json["source"] = settings.source;
+    json["light_hash"] = facts.light_hash;
+    if (!settings.rotate_deg.empty()) json["rotate_deg"] = settings.rotate_deg;
   }
-}
-
-/// Whether a name is one that bake gives a file: nothing else in a folder is ours, whatever a manifest says.
-bool isOurs(const fs::path& name) {
-  if (name != name.filename()) return false;
-  const std::string stem = name.stem().string();
-  const std::string extension = extensionOf(name);
-  if (stem == "sh") return extension == "json" || extension == "h" || extension == "txt";
-  if (name.string().starts_with(kLampStem) && checkLampFile(name.string())) return true;
-  if (stem == kPackedStem && (isTexturePath(name) || extension == "env" || extension == "png" || extension == "glb"))
-    return true;
-  if (name == LobeRowFiles::kTextureName || name == LobeRowFiles::kTextName) return true;
-  if (!formatToWrite(name, {Holds::light, Holds::texture})) return false;
-  if (isTexturePath(name) && (stem.ends_with("_ibl") || stem.ends_with("_skybox"))) return true;
-  if (stem == "specular" || stem == "irradiance" || stem == "skybox" || stem == "brdf") return true;
-  const std::size_t end = stem.rfind('_');
-  if (end == std::string::npos) return false;
-  const auto hasEnding = [&](FaceNaming naming) { return contains(endingsOf(naming), stem.substr(end + 1)); };
-  const std::string cube = stem.substr(0, end);
-  const bool is_level = cube.size() > 1 && cube[0] == 'm' &&
-                        std::all_of(cube.begin() + 1, cube.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-  return (is_level || cube == "i" || cube == "skybox") && (hasEnding(FaceNaming::px) || hasEnding(FaceNaming::signs));
-}
-
-/// What a manifest states of all cubes of a set.
-Json manifestHead(const BakedFiles& files, const BakedSetSettings& settings) {
-  Json json{{"made_by", settings.made_by}, {"source", settings.source}};
-  if (!settings.rotate_deg.empty()) json["rotate_deg"] = settings.rotate_deg;
-  if (const CubeFiles* const cube = files.anyCube()) {
-    const std::string arrangement = textOf(cube->form().arrangement);
-    json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
-  }
+  if (files.anyCube() != nullptr) json["faces"] = writtenFaces(files);
   return json;
-}
-
-/// The parts of an older set that describe the light of the new one, which lacks them; with the arrangement of their
-/// cubes where the new set has no cube.
-Json remainingParts(const Json& older, const BakedFiles& files, const BakedSetSettings& settings) {
-  Json parts = Json::object();
-  // As it is read again: with the replacements of what is not UTF-8.
-  const Json head = Json::parse(manifestHead(files, settings).dump(-1, ' ', false, Json::error_handler_t::replace));
-  const auto differs = [&](const char* key) { return older.value(key, Json()) != head.value(key, Json()); };
-  if (!older.is_object() || older.contains("packed") || older.contains("lamps") || !files.lamps.empty() ||
-      differs("source") || differs("rotate_deg"))
-    return parts;
-  const bool has_cubes = older.contains("faces");
-  if (has_cubes && head.contains("faces") && differs("faces")) return parts;
-  const auto keep = [&](const char* key, bool is_replaced) {
-    if (older.contains(key) && !is_replaced) parts[key] = older[key];
-  };
-  keep("faces", false);
-  keep("specular", files.specular.has_value());
-  keep("irradiance", files.irradiance.has_value());
-  keep("skybox", files.skybox.has_value());
-  keep("brdf", files.brdf.has_value());
-  keep("lobe_rows", files.lobe_rows.has_value());
-  keep("harmonics", !files.harmonics.empty());
-  return parts;
 }
 
 }  // namespace
 
+std::string writtenFaces(const BakedFiles& files) {
+  const CubeFiles* const cube = files.anyCube();
+  if (cube == nullptr) return "";
+  const std::string arrangement = textOf(cube->form().arrangement);
+  return arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
+}
+
 std::string makeManifest(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings,
                          const OlderSet& older) {
-  Json json = manifestHead(files, settings);
+  Json json = manifestHead(facts, files, settings);
   if (!files.packed.empty())
     json["packed"] = {{"file", fs::path(files.packed).filename()},
                       {"what", "all that the program needs, in its own kind of file"}};
@@ -221,37 +160,9 @@ std::string makeManifest(const BakedFacts& facts, const BakedFiles& files, const
   if (files.lobe_rows) json["lobe_rows"] = lobeRowsJson(*files.lobe_rows);
   if (!files.lamps.empty()) json["lamps"] = lampsJson(files.lamps, facts.lamps);
   if (!files.harmonics.empty()) json["harmonics"] = harmonicsJson(files.set, settings);
-  for (const auto& [key, part] : older.parts().items()) json[key] = part;
-  // File names need not be UTF-8, which JSON is.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-OlderSet OlderSet::takeFrom(const BakedFiles& files, const BakedSetSettings& settings,
-                            const std::vector<std::string>& inputs) {
-  OlderSet older;
-  const fs::path folder = files.folder;
-  const auto text = readFile(folder / "manifest.json");
-  std::error_code status;
-  fs::remove(folder / "manifest.json", status);
-  if (!text) return older;
-  const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
-  if (!settings.only.empty()) older.parts_ = remainingParts(manifest, files, settings);
-  std::vector<std::string> names;
-  collectFiles(manifest, names);
-  std::vector<std::string> remaining;
-  collectFiles(older.parts_, remaining);
-  std::vector<fs::path> newer(remaining.begin(), remaining.end());
-  for (const std::string& path : files.paths()) newer.push_back(fs::path(path).filename());
-  for (const std::string& name : names) {
-    if (!isOurs(name) || contains(newer, fs::path(name))) continue;
-    const std::string lies_at = (folder / name).string();
-    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-      std::error_code missing;
-      return fs::equivalent(input, lies_at, missing);
-    });
-    if (!is_input) fs::remove(lies_at, status);
-  }
-  return older;
+  for (const auto& [key, value] : older.remains().items())
+    if (!json.contains(key)) json[key] = value;
+  return manifestText(json);
 }
 
 }  // namespace mirrorball

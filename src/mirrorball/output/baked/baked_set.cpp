@@ -22,6 +22,8 @@
 #include "mirrorball/output/baked/baked_files.h"
 #include "mirrorball/output/baked/baked_manifest.h"
 #include "mirrorball/output/baked/harmonics_text.h"
+#include "mirrorball/output/baked/light_hash.h"
+#include "mirrorball/output/baked/older_set.h"
 #include "mirrorball/output/lamps/lamp_files.h"
 
 namespace mirrorball {
@@ -235,8 +237,11 @@ struct BakedSet::Parts {
   BakedFiles files;
   Observer observer;
   bool is_counted;                         // whether the number of levels was asked for
+  std::string light_hash = {};             // of the environment that is saved; "": none of the files needs it
+  OlderSet older = {};                     // what the folder held before
   std::unique_ptr<LaterTable> table = {};  // refers to the others, and so goes first
 
+  Result<void> findOlder(const LoadedEnvironment& environment);
   Result<std::vector<MapLamp>> takeLamps(LoadedEnvironment& environment) const;
   Result<BakedMaps> bakeMaps(LoadedEnvironment& environment) const;
   Result<PackedLight> packMaps(const BakedMaps& maps) const;
@@ -283,6 +288,18 @@ Result<void> BakedSet::begin() {
   return {};
 }
 
+/// Finds out, before anything is made, what the folder holds and whether the new parts belong beside it.
+Result<void> BakedSet::Parts::findOlder(const LoadedEnvironment& environment) {
+  if (files.folder.empty()) return {};
+  if (files.hasLight()) {
+    MIRRORBALL_TRY(hash, withName(environment.name, lightHash(environment.environment, settings)));
+    light_hash = std::move(hash);
+  }
+  MIRRORBALL_TRY(found, OlderSet::find(files, settings, light_hash));
+  older = std::move(found);
+  return {};
+}
+
 /// Leaves an environment without its small lamps.
 ///
 /// returns  those, turned as the maps are
@@ -317,6 +334,7 @@ Result<PackedLight> BakedSet::Parts::packMaps(const BakedMaps& maps) const {
 
 Result<void> BakedSet::save(LoadedEnvironment environment) {
   Parts& parts = *parts_;
+  MIRRORBALL_TRY_VOID(parts.findOlder(environment));
   if (parts.files.specular || !parts.files.packed.empty())
     tellFewLevels(parts.settings, parts.is_counted, parts.observer);
   Image table;
@@ -352,12 +370,12 @@ Result<void> BakedSet::Parts::writeTexture(BakedMaps maps) const {
 Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Image brdf,
                                           const std::vector<MapLamp>& lamps, const LoadedEnvironment& of) {
   MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
-  SetWriter writer(
-      files, observer,
-      folder.isNew() ? "nothing was written" : files.folder + " has only some of the new files, and no manifest");
+  SetWriter writer(files, observer,
+                   folder.isNew() ? "nothing was written"
+                                  : files.folder + " has only some of the new files, and no manifest of them");
   BakedSetSettings named = settings;
   if (named.source.empty()) named.source = of.name;
-  const OlderSet older = OlderSet::takeFrom(files, named, of.files);
+  MIRRORBALL_TRY_VOID(older.makeWay(files, of.files));
   const int skybox_size = maps.skybox.size();
   WrittenFormats formats;
   MIRRORBALL_TRY_VOID(writer.writePacked(std::move(packed)));
@@ -374,7 +392,7 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, PackedLight packed, Im
   for (const std::string& name : files.harmonics)
     MIRRORBALL_TRY_VOID(writer.writeText(name, harmonicsText(name, maps.radiance, named)));
   MIRRORBALL_TRY_VOID(writer.writeText(
-      "manifest.json", makeManifest({maps.levels, skybox_size, formats, lamps.size()}, files, named, older)));
+      kManifestName, makeManifest({maps.levels, skybox_size, formats, lamps.size(), light_hash}, files, named, older)));
   folder.keep();
   return {};
 }

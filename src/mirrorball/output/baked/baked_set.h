@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/bake/brdf/brdf_table.h"
@@ -55,6 +56,10 @@ struct BakedSetSettings {
 /// The table of these settings, except for `lamps`, `rotate_deg`, `made_by`, `source` and `file`.
 std::span<const Option<BakedSetSettings>> bakedSetOptions();
 
+/// The parts of a set that an option describes: one of that table, of textureFileOptions or lampOptions, or the
+/// rotation. None: it concerns the whole set.
+std::span<const BakedPart> partsDescribedBy(std::string_view option);
+
 /// The maps of an environment that an engine needs, as files: a folder of them with a manifest, or the specular mip
 /// chain, or another of the cubes, alone as one texture.
 class BakedSet {
@@ -83,10 +88,12 @@ class BakedSet {
 
   /// Bakes the maps and writes the files. A folder that was not there is gone again if they could not all be written;
   /// of an older set in a folder the manifest is gone then, and files may be. Where the settings make only some parts,
-  /// the others of an older set of the same environment stay, and in the manifest.
+  /// the others of an older set of the same light stay, and in the manifest, also if the new ones could not be written.
   ///
   /// environment  none of whose files is one of `paths()`; values below 0 are taken as 0, which a remark tells
-  /// errors       out_of_range (too bright to be summed); too_large, told before anything is made; interrupted; io
+  /// errors       usage or bad_file, before anything is made: an older set has other parts of another light, or a
+  ///              manifest that cannot be read; out_of_range (too bright to be summed); too_large, before anything is
+  ///              made; interrupted; io
   /// cost         as bake's, and that of packing and writing
   Result<void> save(LoadedEnvironment environment);
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,10 +17,12 @@
 namespace mirrorball {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 class BakedSetTest : public testing::InFolder {
@@ -51,6 +54,20 @@ TEST_F(BakedSetTest, ATextureHoldsTheChainAlone) {
   ASSERT_TRUE(saved) << saved.error().message;
   EXPECT_THAT(saved->paths, ElementsAre(path("chain.ktx2")));
   EXPECT_TRUE(std::filesystem::exists(path("chain.ktx2")));
+}
+
+// `--only` refuses options of parts that it leaves out: a new option belongs to parts, or to those of the whole set.
+TEST_F(BakedSetTest, OptionsDescribePartsOrTheWholeSet) {
+  std::vector<std::string_view> of_all;
+  const auto add = [&](std::string_view name) {
+    if (partsDescribedBy(name).empty()) of_all.push_back(name);
+  };
+  for (const auto& option : bakedSetOptions()) add(option.text.name);
+  for (const auto& option : textureFileOptions()) add(option.text.name);
+  for (const char* const name : {"rotate", "min-share", "max-size"}) add(name);
+  EXPECT_THAT(of_all, ElementsAre("only", "for"));
+  EXPECT_THAT(partsDescribedBy("size"), ElementsAre(BakedPart::specular));
+  EXPECT_THAT(partsDescribedBy("clamp-light"), Not(Contains(BakedPart::brdf)));
 }
 
 TEST_F(BakedSetTest, OtherPrimariesThanRec709AreRefused) {

@@ -9,7 +9,8 @@ namespace mirrorball {
 /// each `{}` becomes an object with a map.
 struct JsonMemory {
   std::uint64_t tree = 0;     ///< of the parsed values
-  std::uint64_t parsing = 0;  ///< in addition while the parser runs: its copies of the longest string
+  std::uint64_t parsing = 0;  ///< in addition while the parser runs, until it has refused a text: its copies of the
+                              ///< longest string, and its stack of the objects and arrays that are open
 };
 
 /// The memory for a text, from above, by counting its brackets, commas, colons and the lengths of its strings. A text

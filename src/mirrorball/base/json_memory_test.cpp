@@ -1,13 +1,25 @@
 #include "mirrorball/base/json_memory.h"
 
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <malloc.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mirrorball {
 namespace {
+
+std::string repeated(const std::string& piece, std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += piece;
+  return text;
+}
 
 /// A text of many equal elements.
 std::string listOf(const std::string& element, int count) {
@@ -37,23 +49,85 @@ TEST(JsonMemory, BoundsTheParsedTreeFromAboveAndNotByMuch) {
     EXPECT_LE(jsonMemory(text).tree, 3 * taken) << element;
   }
 }
+
+/// The most memory that this process has had at a time.
+std::uint64_t peakBytes() {
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return std::uint64_t(usage.ru_maxrss) * 1024;
+}
+
+/// Parses a text, as a reader does that reports that it is refused.
+///
+/// returns  peakBytes() at the end of that
+std::uint64_t peakAfterParsing(const std::string& text) {
+  try {
+    const nlohmann::json tree = nlohmann::json::parse(text);
+    return peakBytes();
+  } catch (const nlohmann::json::parse_error&) {
+    return peakBytes();
+  }
+}
+
+/// What parsing a text adds to the memory of a process at most.
+std::uint64_t memoryForParsing(const std::string& text) {
+  std::uint64_t taken = 0;
+  int ends[2];
+  if (::pipe(ends) != 0) return taken;
+  ::malloc_trim(0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // The code's own pages are in memory before.
+    const std::uint64_t before = peakAfterParsing("[{\"a\":\"");
+    taken = peakAfterParsing(text) - before;
+    ::_exit(::write(ends[1], &taken, sizeof taken) == sizeof taken ? 0 : 1);
+  }
+  ::close(ends[1]);
+  EXPECT_EQ(::read(ends[0], &taken, sizeof taken), ssize_t(sizeof taken));
+  ::close(ends[0]);
+  ::waitpid(child, nullptr, 0);
+  return taken;
+}
+
+// A little more than a power of two of each, so that what grows has just done so.
+TEST(JsonMemory, BoundsThePeakOfParsingToo) {
+  constexpr std::size_t kLetters = (std::size_t{1} << 22) + 1000;
+  constexpr std::size_t kDepth = (std::size_t{1} << 17) + 1000;
+  for (const auto& [what, text] : std::vector<std::pair<const char*, std::string>>{
+           {"a string without an end", "[\"" + std::string(kLetters, 'a')},
+           {"a string of escapes without an end", "[\"" + repeated("\\u00e9", kLetters / 6)},
+           {"arrays", std::string(kDepth, '[') + std::string(kDepth, ']')},
+           {"arrays without an end", std::string(kDepth, '[')},
+           {"objects without an end", repeated("{\"\":", kDepth)}}) {
+    const JsonMemory needed = jsonMemory(text);
+    const std::uint64_t taken = memoryForParsing(text);
+    EXPECT_GE(needed.tree + needed.parsing, taken) << what;
+    EXPECT_LE(needed.tree + needed.parsing, 4 * taken) << what;
+  }
+}
 #endif
 
 TEST(JsonMemory, BracketsInStringsAreLetters) {
   EXPECT_EQ(jsonMemory(R"(["{[:,\"{[:,\\"])").tree, jsonMemory(R"(["aaaaaaaaaaaaaa"])").tree);
 }
 
+TEST(JsonMemory, AsManyParentsAreKeptAsAreOpen) {
+  EXPECT_EQ(jsonMemory("[[],[],{}]").parsing, 48u);
+  EXPECT_EQ(jsonMemory("{\"a\":[[[1]]],\"b\":{}}").parsing, 96u + 8u);
+  EXPECT_EQ(jsonMemory("]]}[").parsing, 24u) << "none is open before";
+}
+
 TEST(JsonMemory, ALongStringIsCopiedByTheParser) {
   const std::string text = "[\"" + std::string(1000000, 'a') + "\",\"b\"]";
   EXPECT_GE(jsonMemory(text).tree, 1000000u);
   EXPECT_LE(jsonMemory(text).tree, 1001000u);
-  EXPECT_EQ(jsonMemory(text).parsing, 3000000u);
+  EXPECT_EQ(jsonMemory(text).parsing, 8000024u);
 }
 
 TEST(JsonMemory, WhatEndsTooEarlyIsCountedAsFarAsItGoes) {
   EXPECT_EQ(jsonMemory("").parsing, 0u);
-  EXPECT_EQ(jsonMemory("[\"abc").parsing, 9u);
-  EXPECT_EQ(jsonMemory("[\"abc\\").parsing, 12u);
+  EXPECT_EQ(jsonMemory("[\"abc").parsing, 24u + 24u);
+  EXPECT_EQ(jsonMemory("[\"abc\\").parsing, 32u + 24u);
 }
 
 }  // namespace

@@ -1,9 +1,15 @@
 #include "mirrorball/output/north_mark.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball {
@@ -61,6 +67,65 @@ TEST(NorthMark, SmallAndBlackPanoramasHaveOne) {
     EXPECT_LE(brightest, 1.0f);
     if (height >= 16) EXPECT_GT(brightest, 0.3f) << height;
   }
+}
+
+// A reach of 108 degrees in small panoramas, poles within the mark, and texels that the mean leaves out or counts as 0.
+TEST(NorthMark, IsTheSameForAnyNumberOfThreads) {
+  const int before = threadLimit();
+  for (const int height : {64, 700})
+    for (const double pitch : {0.0, 85.0}) {
+      EnvironmentMap map = evenPanorama(height, 0.5f);
+      const std::span<float> samples = map.face(0).samples();
+      for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += 1e5f * float(i * i % 1009) / 3e4f;
+      map.face(0).texel(height * 8 / 9, height / 2)[1] = std::numeric_limits<float>::quiet_NaN();
+      map.face(0).texel(height * 8 / 9 + 2, height / 2)[0] = -1e6f;
+      EnvironmentMap alone = map;
+      setThreadLimit(1);
+      drawNorth(compassAxes({.heading_deg = 20.0, .pitch_deg = pitch}), alone);
+      setThreadLimit(4);
+      drawNorth(compassAxes({.heading_deg = 20.0, .pitch_deg = pitch}), map);
+      EXPECT_EQ(std::memcmp(samples.data(), alone.face(0).samples().data(), samples.size_bytes()), 0) << height;
+    }
+  setThreadLimit(before);
+}
+
+// What rejects a row or a texel by its cosine leaves out none that the mark reaches, also around the poles.
+TEST(NorthMark, IsWholeHoweverThePictureIsTilted) {
+  constexpr int kHeight = 512;
+  const auto lightOnMark = [](const CompassHeading& heading) {
+    EnvironmentMap map = evenPanorama(kHeight, 1.0f);
+    drawNorth(compassAxes(heading), map);
+    double light = 0.0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < 2 * kHeight; ++x)
+        light += double(map.face(0).texel(x, y)[0] - 1.0f) * std::sin(glm::radians((y + 0.5) * 180.0 / kHeight));
+    return light;
+  };
+  const double level = lightOnMark({});
+  for (const double pitch : {-90.0, -80.0, 15.0, 72.0, 90.0})
+    for (const double roll : {0.0, 50.0, 180.0})
+      EXPECT_NEAR(lightOnMark({.heading_deg = 180.0, .pitch_deg = pitch, .roll_deg = roll}), level, 0.1 * level)
+          << pitch;
+}
+
+// The mark reaches a fortieth of the sphere: drawing it costs less than two looks at the direction of every texel, of
+// which the functions that give an angle alone would take more.
+TEST(NorthMark, CostsNoMoreThanItsReach) {
+  const auto seconds = [](const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  EnvironmentMap map = evenPanorama(2048, 0.5f);
+  const glm::ivec2 extent = map.extent();
+  glm::vec3 sum(0.0f);
+  const double all = seconds([&] {
+    for (int y = 0; y < extent.y; ++y)
+      for (int x = 0; x < extent.x; ++x)
+        sum += directionAt(Projection::equirect, {0, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent)});
+  });
+  EXPECT_LT(glm::length(sum), 1e5f);
+  EXPECT_LT(seconds([&] { drawNorth(compassAxes({.heading_deg = 45.0}), map); }), 2.0 * all);
 }
 
 // The mark leans as the horizon of a tilted picture does.

@@ -17,6 +17,7 @@
 #include "cli/interruption.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/descriptor.h"
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/unnamed_output.h"
 #include "mirrorball/codec/image_file.h"
@@ -120,6 +121,8 @@ Result<void> writeStandardOutput(std::string& output, const std::function<Result
   const std::string path = "/dev/fd/1" + output.substr(1);
   const UnnamedOutput written(path);
   showAs(path, kOutputName);
+  // Where no such file can be made, that is known before the work and not after it.
+  if (auto trial = FileWriter::create(path); !trial) return fail(std::move(trial));
   keepStandardOutputFree();
   output = path;
   MIRRORBALL_TRY_VOID(work());

@@ -138,6 +138,13 @@ TEST_F(StandardStreamsTest, NothingStaysOfAKilledRun) {
   }
 }
 
+TEST_F(StandardStreamsTest, AnUnusableTemporaryFolderIsAnErrorBeforeTheWork) {
+  const Start how{.environment = {{"TMPDIR", path("missing").string()}}};
+  EXPECT_THAT(refuse(1, "convert absent.exr --to cube -o -.exr", how),
+              AllOf(HasSubstr("standard output: no temporary file can be made"), HasSubstr("TMPDIR")));
+  EXPECT_THAT(refuse(1, "render sphere -e absent.exr -o -.png", how), HasSubstr("TMPDIR"));
+}
+
 TEST_F(StandardStreamsTest, WhatStandardOutputCannotTakeIsToldAtOnce) {
   EXPECT_THAT(refuse(2, "convert map.exr --to cube -o -"), HasSubstr("-o -.exr"));
   EXPECT_THAT(refuse(2, "convert map.exr --to cube --layout faces -o -.exr"), HasSubstr("one file"));

@@ -1,10 +1,12 @@
 // What says how a gain map is meant, and the container that it stands in: the bytes as XMP, as ISO 21496-1's numbers
-// and as a file. What is accepted lifts every picture to finite light.
+// and as a file. What is accepted lifts every picture to finite light. And the compass heading, which is read from such
+// bytes by the same reader of XMP.
 
 #include "mirrorball/codec/ldr/gain_map.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "fuzz.h"
@@ -12,6 +14,7 @@
 #include "mirrorball/codec/ldr/gain_map_metadata.h"
 #include "mirrorball/codec/ldr/jpeg_segments.h"
 #include "mirrorball/codec/ldr/ultra_hdr.h"
+#include "mirrorball/photo/heading_in_file.h"
 
 namespace {
 
@@ -29,6 +32,14 @@ void checkLight(const Result<GainMap>& read) {
     fuzz::check(std::isfinite(sample) && sample >= 0.0f, "light is finite and not negative");
 }
 
+void checkHeading(const Result<std::optional<CompassHeading>>& read) {
+  fuzz::checkError(read);
+  if (!read || !*read) return;
+  const auto [heading, pitch, roll, is_magnetic, source] = **read;
+  fuzz::check(heading >= 0.0 && heading < 360.0 && std::abs(pitch) <= 90.0 && std::abs(roll) <= 180.0,
+              "a heading's angles are in their ranges");
+}
+
 }  // namespace
 
 MIRRORBALL_HARNESS(gain_map) {
@@ -36,6 +47,7 @@ MIRRORBALL_HARNESS(gain_map) {
   static_cast<void>(speaksOfGainMap(text));
   checkLight(readGainMapXmp(text));
   checkLight(readGainMapIso({data, size}));
+  checkHeading(headingIn({data, size}));
   fuzz::check(jpegHeader({data, size}).end <= size && endOfJpeg({data, size}) <= size, "segments lie within the bytes");
   const auto part = findGainMap({data, size});
   fuzz::checkError(part);

@@ -145,7 +145,7 @@ Result<void> convertOne(const std::string& input, const std::string& path, const
                         const Observer& observer) {
   FileConversion conversion = request.conversion;
   if (request.options.mark_north) {
-    MIRRORBALL_TRY(heading, withName(shown(input), headingNeeded(input)));
+    MIRRORBALL_TRY(heading, withName(shown(input), requiredHeading(input)));
     conversion.marked_north = heading;
   }
   auto converted = convertFile(input, path, conversion, observer);

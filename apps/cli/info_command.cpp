@@ -84,24 +84,23 @@ Result<RadianceStatistics> measureLight(const Environment& environment) {
   return radianceStatistics(map);
 }
 
-/// Where north is in a panorama whose file states a compass heading.
+/// Where north is in a panorama, where that is what is asked for.
 ///
-/// errors   bad_shape, not_found: it is not a panorama, or states none, where that is what is asked for
-Result<std::optional<NorthInfo>> findNorth(const LoadedEnvironment& loaded, bool is_needed) {
-  const bool is_panorama = loaded.recognition && loaded.recognition->form.projection == Projection::equirect;
-  if (!is_panorama && is_needed)
-    return fail(ErrorCode::bad_shape, "a compass heading is that of a panorama's middle, and this map is " +
-                                          (loaded.recognition ? textOf(loaded.recognition->form)
-                                                              : std::string("a function of the direction")));
-  if (!is_panorama) return std::nullopt;
-  MIRRORBALL_TRY(heading, headingInFile(loaded.files.front()));
-  if (!heading && is_needed) MIRRORBALL_TRY_VOID(headingNeeded(loaded.files.front()));
-  if (!heading) return std::nullopt;
-  const SignedAxis centre = loaded.recognition->form.centre;
-  const CompassAxes axes = compassAxes(*heading, centre);
-  const glm::vec3 in_picture = glm::transpose(centredOn(vectorOf(centre))) * axes.north;
-  const float u = positionOf(Projection::equirect, in_picture).uv.x;
-  return NorthInfo{*heading, axes, u * float(loaded.file_size.x)};
+/// errors   of findNorth and requiredHeading
+Result<NorthInfo> requiredNorth(const LoadedEnvironment& loaded) {
+  MIRRORBALL_TRY_VOID(checkTakesHeading(loaded));
+  MIRRORBALL_TRY(heading, requiredHeading(loaded.files.front()));
+  return findNorth(heading, loaded);
+}
+
+/// Where north is in a panorama whose file states it. A heading that cannot be read is remarked.
+std::optional<NorthInfo> statedNorth(const LoadedEnvironment& loaded, const std::string& name) {
+  if (!checkTakesHeading(loaded)) return std::nullopt;
+  const auto heading = headingInFile(loaded.files.front());
+  if (!heading) remark(name + ": " + heading.error().message);
+  if (!heading || !*heading) return std::nullopt;
+  const auto north = findNorth(**heading, loaded);
+  return north ? std::optional(*north) : std::nullopt;
 }
 
 /// What is known of an input.
@@ -127,8 +126,12 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   const Metadata& said = map.loaded.metadata;
   if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
     map.harmonics = filamentHarmonicsIn(text->second);
-  MIRRORBALL_TRY(north, withName(shown(input), findNorth(map.loaded, options.north)));
-  map.north = std::move(north);
+  if (options.north) {
+    MIRRORBALL_TRY(north, withName(shown(input), requiredNorth(map.loaded)));
+    map.north = north;
+  } else {
+    map.north = statedNorth(map.loaded, shown(input));
+  }
   map.is_north_alone = options.north;
   if (direction) map.direction = directionInfo(map.loaded.environment, *direction, options.direction);
   if ((!direction && !options.north) || options.json) {

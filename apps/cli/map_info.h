@@ -36,13 +36,6 @@ struct DirectionInfo {
   glm::vec3 radiance{0.0f};
 };
 
-/// Where north is in a panorama whose file states a compass heading.
-struct NorthInfo {
-  CompassHeading heading;
-  CompassAxes axes;
-  float column = 0.0f;  ///< of the file's picture, from its left edge [texels]
-};
-
 /// What is known of a map.
 struct MapInfo {
   LoadedEnvironment loaded;

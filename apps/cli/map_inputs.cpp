@@ -8,7 +8,6 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/file/face_files.h"
-#include "mirrorball/photo/heading_in_file.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -25,12 +24,6 @@ Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const Environ
   if (!loaded) return tl::unexpected<Error>(ofMap(name_or_path, std::move(loaded).error()));
   tellAbout(*loaded, terminalObserver());
   return loaded;
-}
-
-Result<CompassHeading> headingNeeded(const std::string& input) {
-  MIRRORBALL_TRY(heading, headingInFile(input));
-  if (heading) return *heading;
-  return fail(ErrorCode::not_found, "states no compass heading; looked for " + std::string(kHeadingFields));
 }
 
 std::vector<std::string> withEachCubeOnce(const std::vector<std::string>& inputs, const FormHint& from) {

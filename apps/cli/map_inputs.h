@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "mirrorball/environment/file/compass_heading.h"
 #include "mirrorball/environment/file/load.h"
 
 namespace mirrorball::cli {
@@ -13,11 +12,6 @@ namespace mirrorball::cli {
 /// errors   as loadEnvironment's
 Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                   const ProgressFunction& progress = {});
-
-/// The compass heading that a map's file states, where it cannot be done without.
-///
-/// errors   not_found: it states none; io. Without the map's name
-Result<CompassHeading> headingNeeded(const std::string& input);
 
 /// The error of reading a map, which names the command for a file that is a model.
 Error ofMap(const std::string& input, Error error);

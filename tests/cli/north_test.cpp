@@ -76,13 +76,22 @@ TEST_F(NorthTest, WithoutAHeadingThatIsSaid) {
   EXPECT_THAT(refuse(1, "info --north plain.jpg"), HasSubstr(line));
   EXPECT_THAT(refuse(1, "convert --mark-north plain.jpg -o out.png"), HasSubstr(line));
   EXPECT_THAT(refuse(1, "convert --mark-north sky --to cube -o out.png"), HasSubstr("states no compass heading"));
-  writeSphere("wrong.jpg", "GPano:PoseHeadingDegrees=\"north\"");
-  EXPECT_THAT(refuse(1, "info --north wrong.jpg"), HasSubstr("states no compass heading"));
   EXPECT_THAT(refuse(1, "info --north --from octahedral pano.jpg"), HasSubstr("pano.jpg: "));
   EXPECT_THAT(refuse(1, "info --north sky"), HasSubstr("is a function of the direction"));
   const Outcome many = run("info --north pano.jpg plain.jpg");
   EXPECT_EQ(many.exit_code, 1);
   EXPECT_THAT(many.out, HasSubstr("pano.jpg\n  north "));
+}
+
+TEST_F(NorthTest, AWrongHeadingIsNamedAndNothingElseFails) {
+  writeSphere("wrong.jpg", "GPano:PoseHeadingDegrees='20' GPano:PosePitchDegrees='200'");
+  const std::string line = "wrong.jpg: its GPano:PosePitchDegrees is '200', which is not a number from -90 to 90";
+  EXPECT_THAT(refuse(1, "info --north wrong.jpg"), HasSubstr(line));
+  EXPECT_THAT(refuse(1, "convert --mark-north wrong.jpg -o out.png"), HasSubstr(line));
+  const Outcome outcome = run("info wrong.jpg");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("note: " + line));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("size         512x256"), Not(HasSubstr("north "))));
 }
 
 TEST_F(NorthTest, TheMarkIsWhereNorthIs) {

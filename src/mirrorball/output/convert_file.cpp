@@ -169,13 +169,11 @@ Result<std::vector<std::string>> convertLoaded(const LoadedEnvironment& loaded, 
 }
 
 /// Marks north in a panorama, of which smaller mip levels are then not those of its file.
+///
+/// errors   bad_shape: it is not a panorama
 Result<void> markNorth(const CompassHeading& heading, LoadedEnvironment& loaded) {
-  EnvironmentMap* const map = loaded.environment.map();
-  if (map == nullptr || !loaded.recognition || map->projection() != Projection::equirect)
-    return fail(ErrorCode::bad_shape,
-                loaded.name + ": a compass heading is that of a panorama's middle, and this map is " +
-                    (loaded.recognition ? textOf(loaded.recognition->form) : "a function of the direction"));
-  drawNorth(compassAxes(heading, loaded.recognition->form.centre), *map);
+  MIRRORBALL_TRY(north, withName(loaded.name, findNorth(heading, loaded)));
+  drawNorth(north.axes, *loaded.environment.map());
   loaded.levels = 1;
   return {};
 }

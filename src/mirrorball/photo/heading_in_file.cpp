@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,25 +16,30 @@ namespace {
 
 constexpr std::string_view kPhotoSphere = "http://ns.google.com/photos/1.0/panorama/";
 
-/// An angle up to `most` on either side; 0 where it is absent.
-std::optional<double> readAngle(const XmpProperties& properties, std::string_view name, double most) {
+/// An angle up to `most` on either side [degrees]; 0 where it is absent.
+///
+/// errors   bad_file: it is not such an angle
+Result<double> readAngle(const XmpProperties& properties, std::string_view name, double most) {
   const std::vector<std::string_view> values = properties.values(name);
   if (values.empty()) return 0.0;
   const std::optional<double> angle = parseNumber(values.front());
-  return angle && std::abs(*angle) <= most ? angle : std::nullopt;
+  if (angle && std::abs(*angle) <= most) return *angle;
+  const std::string limit = formatNumber(most);
+  return fail(ErrorCode::bad_file, "its GPano:" + std::string(name) + " is '" + excerpt(values.front(), 20) +
+                                       "', which is not a number from -" + limit + " to " + limit +
+                                       "; correct or remove that field of its XMP");
 }
 
-std::optional<CompassHeading> headingInXmp(std::string_view text) {
+Result<std::optional<CompassHeading>> headingInXmp(std::string_view text) {
   if (text.find(kPhotoSphere) == std::string_view::npos) return std::nullopt;
   const XmpProperties properties(text, kPhotoSphere, "GPano");
   if (properties.values("PoseHeadingDegrees").empty()) return std::nullopt;
-  const auto heading = readAngle(properties, "PoseHeadingDegrees", 360.0);
-  const auto pitch = readAngle(properties, "PosePitchDegrees", 90.0);
-  const auto roll = readAngle(properties, "PoseRollDegrees", 180.0);
-  if (!heading || !pitch || !roll) return std::nullopt;
-  return CompassHeading{.heading_deg = std::fmod(*heading + 360.0, 360.0),
-                        .pitch_deg = *pitch,
-                        .roll_deg = *roll,
+  MIRRORBALL_TRY(heading, readAngle(properties, "PoseHeadingDegrees", 360.0));
+  MIRRORBALL_TRY(pitch, readAngle(properties, "PosePitchDegrees", 90.0));
+  MIRRORBALL_TRY(roll, readAngle(properties, "PoseRollDegrees", 360.0));
+  return CompassHeading{.heading_deg = std::fmod(heading + 360.0, 360.0),
+                        .pitch_deg = pitch,
+                        .roll_deg = std::remainder(roll, 360.0),
                         .source = "GPano:PoseHeadingDegrees"};
 }
 
@@ -47,8 +53,8 @@ std::optional<CompassHeading> headingInExif(std::span<const std::uint8_t> bytes)
 
 }  // namespace
 
-std::optional<CompassHeading> headingIn(std::span<const std::uint8_t> bytes) {
-  auto heading = headingInXmp({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+Result<std::optional<CompassHeading>> headingIn(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(heading, headingInXmp({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
   return heading ? heading : headingInExif(bytes);
 }
 
@@ -59,10 +65,17 @@ Result<std::optional<CompassHeading>> headingInFile(const std::filesystem::path&
   MIRRORBALL_TRY(file, FileReader::open(path));
   std::vector<std::uint8_t> bytes(std::min(file.size(), kPart));
   MIRRORBALL_TRY_VOID(file.readAt(0, bytes));
-  auto heading = headingIn(bytes);
+  MIRRORBALL_TRY(heading, headingIn(bytes));
   if (heading || file.size() <= kPart) return heading;
   MIRRORBALL_TRY_VOID(file.readAt(file.size() - bytes.size(), bytes));
   return headingIn(bytes);
+}
+
+Result<CompassHeading> requiredHeading(const std::filesystem::path& path) {
+  MIRRORBALL_TRY(heading, headingInFile(path));
+  if (heading) return *heading;
+  return fail(ErrorCode::not_found,
+              "states no compass heading; looked for GPano:PoseHeadingDegrees in XMP, GPSImgDirection in EXIF");
 }
 
 }  // namespace mirrorball

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball {
 
@@ -24,6 +26,22 @@ CompassAxes compassAxes(const CompassHeading& heading, SignedAxis centre) {
     return glm::normalize(centredOn(vectorOf(centre)) * glm::vec3(in_picture));
   };
   return {inMap(north), inMap(up)};
+}
+
+Result<void> checkTakesHeading(const LoadedEnvironment& loaded) {
+  if (loaded.recognition && loaded.recognition->form.projection == Projection::equirect) return {};
+  return fail(ErrorCode::bad_shape,
+              "a compass heading is that of a panorama's middle, and this map is " +
+                  (loaded.recognition ? textOf(loaded.recognition->form) : std::string("a function of the direction")));
+}
+
+Result<NorthInfo> findNorth(const CompassHeading& heading, const LoadedEnvironment& loaded) {
+  MIRRORBALL_TRY_VOID(checkTakesHeading(loaded));
+  const SignedAxis centre = loaded.recognition->form.centre;
+  const CompassAxes axes = compassAxes(heading, centre);
+  const glm::vec3 in_picture = glm::transpose(centredOn(vectorOf(centre))) * axes.north;
+  const float u = positionOf(Projection::equirect, in_picture).uv.x;
+  return NorthInfo{heading, axes, u * float(loaded.file_size.x)};
 }
 
 }  // namespace mirrorball

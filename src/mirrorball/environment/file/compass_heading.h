@@ -4,9 +4,12 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/result.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
 
 namespace mirrorball {
+
+struct LoadedEnvironment;
 
 /// Where the middle of a panorama points, as cameras and stitching programs store it.
 struct CompassHeading {
@@ -28,5 +31,22 @@ struct CompassAxes {
 /// centre   our direction in the middle of its picture: MapForm::centre
 /// from     Google, Photo Sphere XMP Metadata: PoseHeadingDegrees, PosePitchDegrees, PoseRollDegrees
 CompassAxes compassAxes(const CompassHeading& heading, SignedAxis centre = SignedAxis::plus_z);
+
+/// Whether a map has a middle that a compass heading can be of.
+///
+/// errors   bad_shape: it is not a panorama. Without the map's name
+Result<void> checkTakesHeading(const LoadedEnvironment& loaded);
+
+/// Where north is in a panorama.
+struct NorthInfo {
+  CompassHeading heading;
+  CompassAxes axes;
+  float column = 0.0f;  ///< of the file's picture, from its left edge [texels]
+};
+
+/// Finds north in a panorama by the heading that its file states.
+///
+/// errors   as checkTakesHeading's
+Result<NorthInfo> findNorth(const CompassHeading& heading, const LoadedEnvironment& loaded);
 
 }  // namespace mirrorball

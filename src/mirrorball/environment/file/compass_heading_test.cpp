@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball {
@@ -47,6 +48,24 @@ TEST(CompassHeading, ThePicturesMiddleMayBeAnotherOfOurAxes) {
   EXPECT_LT(glm::distance(north, glm::vec3(0.0f, 0.0f, -1.0f)), 1e-6f);
   EXPECT_LT(glm::distance(compassAxes({.heading_deg = 0.0}, SignedAxis::plus_x).north, glm::vec3(1.0f, 0.0f, 0.0f)),
             1e-6f);
+}
+
+// The column is one of the picture, whatever its middle is to us.
+TEST(CompassHeading, NorthIsFoundInPanoramasAlone) {
+  LoadedEnvironment loaded{.environment = Environment({}, 1), .file_size = {2048, 1024}};
+  const CompassHeading heading{.heading_deg = 90.0};
+  EXPECT_EQ(checkTakesHeading(loaded).error().code, ErrorCode::bad_shape);
+  EXPECT_TRUE(findNorth(heading, loaded).error().message.ends_with("is a function of the direction"));
+  loaded.recognition.emplace().form.projection = Projection::octahedral;
+  EXPECT_TRUE(findNorth(heading, loaded).error().message.ends_with("this map is octahedral"));
+  for (const SignedAxis centre : {SignedAxis::plus_z, SignedAxis::minus_z, SignedAxis::plus_x}) {
+    loaded.recognition->form = {.projection = Projection::equirect, .centre = centre};
+    const auto north = findNorth(heading, loaded);
+    ASSERT_TRUE(north) << north.error().message;
+    EXPECT_NEAR(north->column, 512.0f, 0.01f);
+    EXPECT_EQ(north->axes.north, compassAxes(heading, centre).north);
+    EXPECT_EQ(north->heading.heading_deg, 90.0);
+  }
 }
 
 }  // namespace

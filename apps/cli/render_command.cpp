@@ -153,6 +153,7 @@ Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderR
   const Turntable& turntable = request.turntable;
   if (turntable.frames == 0)
     return renderFrame(renderer, settings, outputs.paths.front(), outputs.form, clock, progressBar("samples"));
+  settings.camera.ground_light_turns = turns(request) && turnsShadow(turntable.turn);
   if (playsAnimation(request))
     return renderAnimation(renderer, settings, {request.scene, request.materials, turntable, turns(request)}, outputs,
                            clock);

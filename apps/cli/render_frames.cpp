@@ -83,7 +83,7 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
   return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });
 }
 
-FramingOf framingOf(Turn turn) { return turn == Turn::environment ? FramingOf::turned_light : FramingOf::whole_turn; }
+FramingOf framingOf(Turn turn) { return turn == Turn::environment ? FramingOf::still : FramingOf::whole_turn; }
 
 Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
                              const PictureFiles& files, StageClock& clock) {

@@ -238,7 +238,7 @@ void Desk::accept(Viewer& viewer) {
 }
 
 void Desk::copyCommandLine(const Viewer& viewer) {
-  const auto line = renderCommandLine(viewer.stillWorkspace(), editedSide(viewer.workspace()));
+  const auto line = renderCommandLine(viewer.renderedWorkspace(), editedSide(viewer.workspace()));
   if (!line) {
     told_ = line.error().message;
     return;

@@ -78,6 +78,16 @@ TEST_F(CameraCliTest, TheDefaultDistanceFramesTheModel) {
   }
 }
 
+/// The largest alpha at a picture's border.
+float alphaAtBorder(const Image& picture) {
+  float alpha = 0.0f;
+  for (int x = 0; x < picture.width(); ++x)
+    for (const int y : {0, picture.height() - 1}) alpha = std::max(alpha, rgbaAt(picture, x, y).w);
+  for (int y = 0; y < picture.height(); ++y)
+    for (const int x : {0, picture.width() - 1}) alpha = std::max(alpha, rgbaAt(picture, x, y).w);
+  return alpha;
+}
+
 // The sun goes once round the model, 15° above the horizon; at noon the camera is as near as without it.
 TEST_F(CameraCliTest, TheFramingOfAModelThatStandsHoldsItsShadow) {
   const auto drawn = [&](const std::string& sky) {
@@ -88,11 +98,10 @@ TEST_F(CameraCliTest, TheFramingOfAModelThatStandsHoldsItsShadow) {
       int shaded = 0;
       int solid = 0;
     } found;
+    found.at_edge = alphaAtBorder(picture);
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x) {
-        const bool on_edge = x == 0 || y == 0 || x == picture.width() - 1 || y == picture.height() - 1;
         const float alpha = rgbaAt(picture, x, y).w;
-        if (on_edge) found.at_edge = std::max(found.at_edge, alpha);
         found.shaded += alpha > 0.3f && alpha < 0.99f;
         found.solid += alpha > 0.99f;
       }
@@ -106,6 +115,20 @@ TEST_F(CameraCliTest, TheFramingOfAModelThatStandsHoldsItsShadow) {
     EXPECT_GT(low.solid, noon.solid / 8) << turn;
   }
   EXPECT_NEAR(noon.solid, drawn("white").solid, noon.solid / 50);
+}
+
+// A flat box throws the longest shadow when the light shines along its diagonal, not in the first picture.
+TEST_F(CameraCliTest, ATurntablesFramingHoldsTheShadowOfAFlatBox) {
+  write("box.obj", std::string("v -2 -.5 -.05\nv -2 -.5 .05\nv -2 .5 -.05\nv -2 .5 .05\nv 2 -.5 -.05\nv 2 -.5 .05\n"
+                               "v 2 .5 -.05\nv 2 .5 .05\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\n"
+                               "f 2 6 8 4\n"));
+  for (const char* turn : {"environment --camera 0,10", "model --camera 90,30", "camera --camera 90,30"}) {
+    succeed(std::string("render box.obj -e sky:elevation=20,azimuth=0 --stand --background transparent --samples 4 "
+                        "--size 96x72 --frames 8 -o box_%d.exr --turn ") +
+            turn);
+    for (int i = 0; i < 8; ++i)
+      EXPECT_LT(alphaAtBorder(image("box_" + std::to_string(i) + ".exr")), 0.1f) << turn << " " << i;
+  }
 }
 
 // A plane that lies in x and y stands upright when z is up.

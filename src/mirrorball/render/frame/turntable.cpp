@@ -82,6 +82,8 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
   return settings;
 }
 
+bool turnsShadow(Turn what) { return what != Turn::camera; }
+
 Result<FrameSettings> standingStill(FrameSettings settings, const Scene& scene, const BoundingSphere& bounds,
                                     const BoundingSphere& other_bounds) {
   const float radii = bounds.radius / other_bounds.radius;

@@ -30,6 +30,10 @@ std::span<const Option<Turntable>> turntableOptions();
 /// settings    with a target and a distance (framed(), scene/camera/framing.h), so that all pictures have the same
 FrameSettings turned(FrameSettings settings, Turn what, float angle_deg);
 
+/// Whether the model's shadow turns about its foot (CameraOptions::ground_light_turns): with the environment, or since
+/// the model turns, or an object of it, in light that stands still.
+bool turnsShadow(Turn what);
+
 /// The settings of a picture of a scene, for another scene in which camera and ground stay where they are: what counts
 /// in model radii, or from the model's middle, is given in numbers.
 ///

@@ -36,6 +36,11 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
   EXPECT_LT(glm::distance(model.lights[0].position, glm::vec3(8, 5, 0)), 1e-5f);
 }
 
+TEST(Turned, TheShadowOfAllButTheCamera) {
+  EXPECT_FALSE(turnsShadow(Turn::camera));
+  for (const Turn what : {Turn::model, Turn::environment, Turn::object}) EXPECT_TRUE(turnsShadow(what));
+}
+
 // The camera and the ground stay where they are while the model grows by what goes round.
 TEST(StandingStill, CameraAndGroundStayWhereTheyAre) {
   const Scene scene = meshScene(sphereMesh(8, 16));

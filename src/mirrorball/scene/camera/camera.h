@@ -21,6 +21,9 @@ struct CameraOptions {
   float ground_reach = 0.0f;
   /// Towards the light whose shadow on that ground a framing holds too: world, unit. 0, or not above: there is none.
   glm::vec3 ground_light{0.0f};
+  /// That light may come from any side, at its elevation: a framing holds its shadow all around the model's foot, and
+  /// does not depend on the light's azimuth.
+  bool ground_light_turns = false;
   /// Of the view, in model radii; turns perspective off. 0: as without a distance.
   std::optional<float> orthographic_height = {};
 

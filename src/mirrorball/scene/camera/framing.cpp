@@ -42,44 +42,54 @@ void addCircle(const Box& box, double radius, std::vector<glm::dvec3>& places) {
   }
 }
 
-/// Where the corners of a box throw their shadows on the ground, at most kShadowReach radii from the middle of its
-/// foot.
-std::vector<glm::dvec3> shadowOf(const Box& box, glm::dvec3 towards_light) {
+/// How far from the middle of a model's foot a shadow is held that reaches so far.
+///
+/// reach, most   world units
+/// light         towards it, above the ground, unit
+double heldReach(double reach, double most, glm::dvec3 light) {
+  const double whole_from = std::sin(glm::radians(double(kWholeShadow_deg)));
+  return std::min(reach, most) * glm::smoothstep(0.0, whole_from, light.y);
+}
+
+/// Where the corners of a box throw their shadows on the ground, as far as they are held.
+void addShadow(const Box& box, double most, glm::dvec3 light, std::vector<glm::dvec3>& places) {
   const glm::dvec3 low(box.low), high(box.high);
   const glm::dvec2 middle(0.5 * (low.x + high.x), 0.5 * (low.z + high.z));
-  const double most = 0.5 * double(kShadowReach) * glm::distance(low, high);
-  std::vector<glm::dvec3> places;
   for (int corner = 0; corner < 4; ++corner) {
     const glm::dvec2 foot((corner & 1) == 0 ? low.x : high.x, (corner & 2) == 0 ? low.z : high.z);
-    const glm::dvec2 along =
-        foot - middle - glm::dvec2(towards_light.x, towards_light.z) / towards_light.y * (high.y - low.y);
-    const glm::dvec2 place = middle + along * std::min(1.0, most / std::max(glm::length(along), 1e-30));
+    const glm::dvec2 along = foot - middle - glm::dvec2(light.x, light.z) / light.y * (high.y - low.y);
+    const double reach = std::max(glm::length(along), 1e-30);
+    const glm::dvec2 place = middle + along * (heldReach(reach, most, light) / reach);
     places.emplace_back(place.x, low.y, place.y);
   }
-  return places;
 }
 
 /// Places on the ground below a scene that a camera is to hold.
-std::vector<glm::dvec3> groundAround(const Scene& scene, const CameraOptions& options, FramingOf what) {
+///
+/// model_radius   of the scene's bounding sphere
+std::vector<glm::dvec3> groundAround(const Scene& scene, double model_radius, const CameraOptions& options) {
   const Box box = boundingBox(scene);
   if (box.isEmpty()) return {};
-  const glm::dvec3 low(box.low), high(box.high), middle = 0.5 * (low + high);
-  std::vector<glm::dvec3> shadow;
-  if (options.ground_light.y > 0.0f) shadow = shadowOf(box, glm::dvec3(options.ground_light));
-  double radius =
-      0.5 * std::hypot(high.x - low.x, high.z - low.z) + 0.5 * double(options.ground_reach) * glm::distance(low, high);
-  if (what == FramingOf::turned_light) {
-    for (const glm::dvec3& place : std::exchange(shadow, {}))
-      radius = std::max(radius, std::hypot(place.x - middle.x, place.z - middle.z));
+  const glm::dvec3 low(box.low), high(box.high), light(options.ground_light);
+  const double half_foot = 0.5 * std::hypot(high.x - low.x, high.z - low.z);
+  const double most = double(kShadowReach) * model_radius;
+  double radius = half_foot + 0.5 * double(options.ground_reach) * glm::distance(low, high);
+  std::vector<glm::dvec3> places;
+  if (light.y > 0.0 && options.ground_light_turns) {
+    // Once the light shines along the foot's diagonal, a corner's shadow lies on from it.
+    const double length = (high.y - low.y) * std::hypot(light.x, light.z) / light.y;
+    radius = std::max(radius, heldReach(half_foot + length, most, light));
+  } else if (light.y > 0.0) {
+    addShadow(box, most, light, places);
   }
-  addCircle(box, radius, shadow);
-  return shadow;
+  addCircle(box, radius, places);
+  return places;
 }
 
 /// The model as seen along a direction: x to the right, y up, z towards the camera, from the target.
 class View {
  public:
-  View(const Scene& scene, const CameraOptions& options, glm::dvec3 target, FramingOf what,
+  View(const Scene& scene, double model_radius, const CameraOptions& options, glm::dvec3 target, FramingOf what,
        std::span<const std::vector<PositionRun>> runs)
       : scene_(scene),
         runs_(runs),
@@ -89,7 +99,7 @@ class View {
     // Turned about the upright axis, the camera stands over +Z; for a whole turn its azimuth does not matter.
     const double azimuth = glm::radians(double(options.azimuth_deg));
     turned_ = glm::rotate(glm::dmat4(1.0), -azimuth, glm::dvec3(0, 1, 0)) * glm::translate(glm::dmat4(1.0), -target);
-    if (options.ground_reach > 0.0f) ground_ = groundAround(scene, options, what);
+    if (options.ground_reach > 0.0f) ground_ = groundAround(scene, model_radius, options);
   }
 
   /// Towards one side of the picture and the other, 0 right and left, 1 up and down: the greatest of
@@ -251,7 +261,7 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
 
   const glm::dvec3 target(options.target.value_or(bounds.center));
   const double radius = bounds.radius;
-  const View view(scene, options, target, what, runs);
+  const View view(scene, radius, options, target, what, runs);
   CameraOptions chosen = options;
   glm::dvec3 camera(0.0);
   const bool is_free = !options.target.has_value();

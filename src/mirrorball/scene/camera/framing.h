@@ -10,12 +10,16 @@
 namespace mirrorball {
 
 /// What a framing has to hold: the model as it stands; or the model turned by any angle about the upright axis through
-/// the target, as a turntable shows it; or the model as it stands while the light goes round, and with it the shadow.
-enum class FramingOf { still, whole_turn, turned_light };
+/// the target, as a turntable shows it. With CameraOptions::ground_light_turns the light goes round, too.
+enum class FramingOf { still, whole_turn };
 
 /// How far from the middle of a model's foot a framing holds its shadow, in model radii: there the shadow on the ground
-/// has faded out (GroundShadow::kModelRadii), and a sun at the horizon does not make the model a dot.
+/// has faded out (GroundShadow::kModelRadii), and a low sun does not make the model a dot.
 constexpr float kShadowReach = 4.0f;
+
+/// The elevation of a light from which down a framing holds less and less of its shadow, at the horizon none: a sun
+/// that sets moves the camera without a jump.
+constexpr float kWholeShadow_deg = 5.0f;
 
 /// Puts a camera where the model fills the picture: its projection touches a border 1/32 of the picture's side inside
 /// of two opposite edges at least, and lies in the middle; so does the ground around its foot as far as the options

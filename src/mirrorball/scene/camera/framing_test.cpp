@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "mirrorball/scene/load_model.h"
@@ -175,30 +176,122 @@ TEST(Framed, AHighSunOrOneBelowChangesNothing) {
   }
 }
 
-TEST(Framed, ASunAtTheHorizonDoesNotMakeTheModelADot) {
+TEST(Framed, ALowSunDoesNotMakeTheModelADot) {
   const Scene scene = *loadModel("teapot");
   const BoundingSphere bounds = boundingSphere(scene);
   const float without = *framed(scene, bounds, {.ground_reach = 0.5f}, 1.5f).distance;
-  for (const float elevation : {5.0f, 1.0f, 1e-3f, 1e-30f}) {
-    const CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(120.0f, elevation)};
+  for (const bool light_turns : {false, true}) {
+    const CameraOptions options{
+        .ground_reach = 0.5f, .ground_light = lightAt(120.0f, 5.0f), .ground_light_turns = light_turns};
     const float distance = *framed(scene, bounds, options, 1.5f).distance;
-    EXPECT_GT(distance, 1.2f * without) << elevation;
-    EXPECT_LT(distance, 3.0f * without) << elevation;
+    EXPECT_GT(distance, 1.2f * without);
+    EXPECT_LT(distance, 3.0f * without);
   }
 }
 
-// As in turntables of the camera and of the environment.
-TEST(Framed, AShadowStaysInThePictureOfAWholeTurn) {
-  const Scene scene = *loadModel("teapot");
+/// A box upon the ground.
+Scene boxScene(glm::vec3 half_extents) {
+  Scene scene = *loadModel("cube");
+  const Box box = boundingBox(scene);
+  const glm::vec3 scale = 2.0f * half_extents / (box.high - box.low);
+  for (Instance& instance : scene.instances)
+    instance.world_from_object = glm::scale(glm::mat4(1.0f), scale) * instance.world_from_object;
+  return scene;
+}
+
+// By steps of a fiftieth of a degree, none is more than a fiftieth of the distance.
+TEST(Framed, ASunThatSetsMovesTheCameraWithoutAJump) {
+  const Scene scene = boxScene({0.8f, 0.6f, 0.5f});
   const BoundingSphere bounds = boundingSphere(scene);
-  const CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(70.0f, 25.0f)};
-  CameraOptions turned = framed(scene, bounds, options, 1.5f, FramingOf::whole_turn);
-  const CameraOptions standing = framed(scene, bounds, options, 1.5f, FramingOf::turned_light);
-  for (int degree = 0; degree < 360; degree += 15) {
-    turned.azimuth_deg = float(degree);
-    EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, options.ground_light).halfExtent(), 0.939) << degree;
-    EXPECT_LE(shadowIn(makeCamera(standing, bounds, 1.5f), scene, lightAt(float(degree), 25.0f)).halfExtent(), 0.939)
-        << degree;
+  for (const bool light_turns : {false, true}) {
+    CameraOptions options{.ground_reach = 0.5f, .ground_light_turns = light_turns};
+    CameraOptions before = framed(scene, bounds, options, 1.5f);
+    const auto step_to = [&](float elevation_deg) {
+      options.ground_light = lightAt(120.0f, elevation_deg);
+      const CameraOptions now = framed(scene, bounds, options, 1.5f);
+      EXPECT_NEAR(*now.distance / *before.distance, 1.0f, 0.02f) << elevation_deg;
+      EXPECT_LT(glm::distance(*now.target, *before.target), 0.05f * bounds.radius) << elevation_deg;
+      before = now;
+    };
+    for (const float elevation : {-1.0f, 0.0f, 1e-30f, 1e-3f}) step_to(elevation);
+    for (int step = 1; step < 600; ++step) step_to(0.02f * float(step));
+  }
+}
+
+// As in turntables of the camera and of the environment; a thin box throws its longest shadow past the border when the
+// light comes from another side than at first.
+TEST(Framed, AShadowStaysInThePictureOfAWholeTurn) {
+  for (const Scene& scene : {*loadModel("teapot"), boxScene({1.0f, 0.5f, 0.1f}), boxScene({2.0f, 0.5f, 0.05f})}) {
+    const BoundingSphere bounds = boundingSphere(scene);
+    for (const float first : {0.0f, 70.0f, 90.0f}) {
+      CameraOptions options{.elevation_deg = 40.0f, .ground_reach = 0.5f, .ground_light = lightAt(first, 25.0f)};
+      CameraOptions turned = framed(scene, bounds, options, 1.5f, FramingOf::whole_turn);
+      options.ground_light_turns = true;
+      const CameraOptions standing = framed(scene, bounds, options, 1.5f);
+      for (int degree = 0; degree < 360; degree += 15) {
+        turned.azimuth_deg = float(degree);
+        EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, options.ground_light).halfExtent(), 0.942)
+            << degree;
+        EXPECT_LE(shadowIn(makeCamera(standing, bounds, 1.5f), scene, lightAt(float(degree), 25.0f)).halfExtent(),
+                  0.942)
+            << degree;
+      }
+    }
+  }
+}
+
+// As in a turntable of the model: camera and light go round it together.
+TEST(Framed, AShadowStaysInThePictureOfAModelThatTurns) {
+  const Scene scene = boxScene({2.0f, 0.5f, 0.05f});
+  const BoundingSphere bounds = boundingSphere(scene);
+  for (const float beside : {0.0f, 45.0f, 90.0f}) {
+    const CameraOptions options{.azimuth_deg = 0.0f,
+                                .elevation_deg = 40.0f,
+                                .ground_reach = 0.5f,
+                                .ground_light = lightAt(beside, 25.0f),
+                                .ground_light_turns = true};
+    CameraOptions turned = framed(scene, bounds, options, 1.5f, FramingOf::whole_turn);
+    for (int degree = 0; degree < 360; degree += 5) {
+      turned.azimuth_deg = float(degree);
+      const glm::vec3 light = lightAt(float(degree) + beside, 25.0f);
+      EXPECT_LE(shadowIn(makeCamera(turned, bounds, 1.5f), scene, light).halfExtent(), 0.942) << degree;
+    }
+  }
+}
+
+// To rounding: the sine of one elevation differs by azimuth.
+TEST(Framed, ALightThatTurnsLeavesTheCameraWhereItIs) {
+  const Scene scene = boxScene({2.0f, 0.5f, 0.05f});
+  const BoundingSphere bounds = boundingSphere(scene);
+  for (const FramingOf what : {FramingOf::still, FramingOf::whole_turn}) {
+    CameraOptions options{.ground_reach = 0.5f, .ground_light = lightAt(0.0f, 15.0f), .ground_light_turns = true};
+    const CameraOptions first = framed(scene, bounds, options, 1.5f, what);
+    for (const float azimuth : {10.0f, 90.0f, 200.0f}) {
+      options.ground_light = lightAt(azimuth, 15.0f);
+      const CameraOptions other = framed(scene, bounds, options, 1.5f, what);
+      EXPECT_NEAR(*other.distance, *first.distance, 1e-5f * *first.distance) << azimuth;
+      EXPECT_LT(glm::distance(*other.target, *first.target), 1e-5f) << azimuth;
+    }
+  }
+}
+
+// A ball's radius is less than half of its box's diagonal, by √3.
+TEST(Framed, HoldsALowSunsShadowAsFarAsItIsDrawn) {
+  const Scene scene = *loadModel("sphere");
+  const BoundingSphere bounds = boundingSphere(scene);
+  const auto half_width = [&](bool light_turns) {
+    CameraOptions options{.azimuth_deg = 0.0f,
+                          .elevation_deg = 0.0f,
+                          .ground_reach = 0.5f,
+                          .ground_light = lightAt(90.0f, 6.0f),
+                          .ground_light_turns = light_turns,
+                          .orthographic_height = 0.0f};
+    options.target = bounds.center;
+    return *framed(scene, bounds, options, 1.0f).orthographic_height / 2.0f * (15.0f / 16.0f);
+  };
+  for (const bool light_turns : {false, true}) {
+    EXPECT_LE(half_width(light_turns), 4.01f);
+    EXPECT_GE(half_width(light_turns), 3.8f);
   }
 }
 

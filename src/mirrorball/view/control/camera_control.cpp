@@ -54,7 +54,10 @@ CameraOptions placedCamera(const Scene& scene, const BoundingSphere& bounds, con
   if (!options.name.empty()) return options;
   CameraOptions placed = framed(scene, bounds, options, aspect);
   if (!placed.target) placed.target = bounds.center;
-  placed.ground_reach = 0.0f;  // which only a framing asks for
+  // Only a framing asks for the ground.
+  placed.ground_reach = 0.0f;
+  placed.ground_light = glm::vec3(0.0f);
+  placed.ground_light_turns = false;
   return placed;
 }
 

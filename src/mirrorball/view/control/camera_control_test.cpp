@@ -128,6 +128,16 @@ TEST(CameraControl, APlacedCameraShowsTheSamePicture) {
   }
 }
 
+TEST(CameraControl, APlacedCameraLeavesTheGroundThatItHeld) {
+  const Scene teapot = *loadModel("teapot");
+  const CameraOptions options{
+      .ground_reach = 0.5f, .ground_light = glm::vec3(0.6f, 0.8f, 0.0f), .ground_light_turns = true};
+  const CameraOptions placed = placedCamera(teapot, boundingSphere(teapot), options, 1.6f);
+  EXPECT_EQ(placed.ground_reach, 0.0f);
+  EXPECT_EQ(placed.ground_light, glm::vec3(0.0f));
+  EXPECT_FALSE(placed.ground_light_turns);
+}
+
 TEST(CameraControl, LooksAlongAnAxisAndHoldsAll) {
   const CameraOptions camera = alongAxis(someCameras()[2], AxisView::right);
   EXPECT_FLOAT_EQ(camera.azimuth_deg, 90.0f);

@@ -53,6 +53,8 @@ Result<RenderInputNames> namesOf(const Workspace& workspace, const PictureReques
   frame.proxy.load.inside_only = inside_only;
   frame.size = request.size_px;
   standOnGround(frame);
+  // As it is seen (Viewer::State::standInView); while a camera goes round, the light stays.
+  frame.camera.ground_light_turns = request.frames == 0 || request.plays;
   if (storesLinearLight(request.path)) frame.resolve = Resolve::radiance;
   RenderInputNames names{.model = workspace.model,
                          .load_model = {.inside_only = inside_only, .animation = std::move(stance.animation)},

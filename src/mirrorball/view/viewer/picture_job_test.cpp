@@ -58,6 +58,41 @@ TEST_F(PictureJobTest, IsThePictureThatIsSeen) {
   }
 }
 
+/// In the low sun of a sky.
+Workspace standing() {
+  Workspace workspace = ball();
+  workspace.model = "teapot";
+  workspace.maps = {"sky:elevation=15"};
+  workspace.frame["stand"] = {"yes"};
+  return workspace;
+}
+
+TEST_F(PictureJobTest, OfAModelThatStandsIsThePictureThatIsSeen) {
+  const std::string path = ::testing::TempDir() + "stands.png";
+  Viewer viewer(device(), standing(), kViewerSize);
+  finish(viewer);
+  const Image8 seen = *viewer.picture();
+  EXPECT_FALSE(viewer.stillWorkspace().frame.contains("camera"));
+  ASSERT_TRUE(viewer.renderedWorkspace().frame.contains("camera")) << "which `render` reads";
+  for (const Workspace& workspace : {viewer.stillWorkspace(), viewer.renderedWorkspace()}) {
+    ASSERT_EQ(written(workspace, {.path = path, .size_px = kViewerSize}), path);
+    EXPECT_EQ(differing(pictureFromLinear(readImage(path)->image, 3), seen, 0, kViewerSize.x), 0);
+  }
+}
+
+TEST_F(PictureJobTest, ALightThatTurnsLeavesTheCameraWhereItIs) {
+  Viewer viewer(device(), standing(), kViewerSize);
+  finish(viewer);
+  const auto camera = [&] { return frameOf(viewer.renderedWorkspace().frame)->camera; };
+  const CameraOptions before = camera();
+  for (const float azimuth_deg : {40.0f, 110.0f, 250.0f}) {
+    viewer.history().change("Turn the light", withLightTurned(viewer.workspace(), {azimuth_deg, 0, 0}));
+    finish(viewer);
+    EXPECT_NEAR(*camera().distance, *before.distance, 1e-4f) << azimuth_deg;
+    EXPECT_LT(glm::distance(*camera().target, *before.target), 1e-4f) << azimuth_deg;
+  }
+}
+
 TEST_F(PictureJobTest, OfATurnAreNumbered) {
   const std::string path = ::testing::TempDir() + "turn.png";
   const std::string made = written(ball(), {.path = path, .size_px = {32, 32}, .frames = 3});

@@ -36,9 +36,14 @@ bool Viewer::State::moves() const { return since_moved_s < kRest_s; }
 FrameSettings Viewer::State::movedFrame() const {
   FrameSettings frame = frameOf(now(), editedSide(now())).value_or(FrameSettings());
   frame.size = size_px;
-  standOnGround(frame);
-  holdShadow(frame, stageOf(editedSide(now())).strongSun());
+  standInView(frame, editedSide(now()));
   return frame;
+}
+
+void Viewer::State::standInView(FrameSettings& frame, std::size_t side) const {
+  standOnGround(frame);
+  holdShadow(frame, stageOf(side).strongSun());
+  frame.camera.ground_light_turns = true;
 }
 
 ShownPicture Viewer::State::shown() const {
@@ -227,6 +232,14 @@ const Workspace& Viewer::workspace() const { return state_->now(); }
 Workspace Viewer::stillWorkspace() const {
   const State& state = *state_;
   return state.player.stopped(state.now(), state.movedFrame(), state.stages[0]->stage().bounds());
+}
+
+Workspace Viewer::renderedWorkspace() const {
+  Workspace still = stillWorkspace();
+  const CameraOptions camera = state_->movedFrame().camera;
+  const bool is_placed = camera.orthographic_height ? *camera.orthographic_height > 0.0f : camera.distance.has_value();
+  const bool is_framed = camera.name.empty() && !is_placed;
+  return is_framed && camera.ground_light.y > 0.0f ? withCamera(std::move(still), state_->shown().camera) : still;
 }
 
 History& Viewer::history() { return state_->history; }

@@ -59,6 +59,9 @@ class Viewer {
   const Workspace& workspace() const;
   /// As it is to be kept: of an animation that goes on the moment that is shown, seen as it is.
   Workspace stillWorkspace() const;
+  /// That, for `render` to draw the picture that is seen: where a sun throws a shadow, and the workspace leaves the
+  /// camera's place open, `render` holds the shadow alone, so the camera is where it is seen from, in numbers.
+  Workspace renderedWorkspace() const;
   /// What was done; a change of it is seen with the next `advance`.
   History& history();
   ViewerStatus status() const;

@@ -35,8 +35,7 @@ Result<WantedFrame> Viewer::State::wanted(std::size_t side) const {
   MIRRORBALL_TRY(quality, qualityOf(given));
   frame.proxy.load.inside_only = options.inside_only;
   frame.size = size_px;
-  standOnGround(frame);
-  holdShadow(frame, stageOf(side).strongSun());
+  standInView(frame, side);
   MIRRORBALL_TRY(still, player.standingStill(std::move(frame), stageOf(side).stage().bounds()));
   frame = std::move(still);
   WantedFrame wanted{.drawn = frame, .traced = frame};

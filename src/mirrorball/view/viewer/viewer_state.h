@@ -47,6 +47,9 @@ struct Viewer::State {
   // Hands.
   /// Of the half that hands move, without what its quality fills in.
   FrameSettings movedFrame() const;
+  /// Stands the model of a half on its ground. The camera holds the shadow wherever the light is turned, and so stays
+  /// where it is meanwhile.
+  void standInView(FrameSettings& frame, std::size_t side) const;
   ShownPicture shown() const;
   void apply(std::optional<Change> change);
   Result<void> takeClick();

@@ -44,7 +44,7 @@ Image decoded(const Bytes& bytes) {
   return std::move(result->image);
 }
 
-Error failureOf(const Bytes& bytes) {
+Error decodingError(const Bytes& bytes) {
   const auto result = decodeHdr(bytes);
   if (result) {
     ADD_FAILURE() << "was read";
@@ -274,14 +274,14 @@ TEST(Hdr, MetadataComesBack) {
 }
 
 TEST(Hdr, HeaderErrorsNameTheLine) {
-  EXPECT_EQ(failureOf(file("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 1", {})).code, ErrorCode::unsupported);
-  EXPECT_THAT(failureOf(file("A=1\nFORMAT=raw\n", "-Y 1 +X 1", {})).message, HasSubstr("line 3"));
-  EXPECT_THAT(failureOf(file("EXPOSURE=x\n", "-Y 1 +X 1", {})).message, HasSubstr("line 2"));
-  EXPECT_THAT(failureOf(file("EXPOSURE=0\n", "-Y 1 +X 1", {})).message, HasSubstr("exposure 0"));
-  EXPECT_THAT(failureOf(file("COLORCORR=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("3 numbers behind"));
+  EXPECT_EQ(decodingError(file("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 1", {})).code, ErrorCode::unsupported);
+  EXPECT_THAT(decodingError(file("A=1\nFORMAT=raw\n", "-Y 1 +X 1", {})).message, HasSubstr("line 3"));
+  EXPECT_THAT(decodingError(file("EXPOSURE=x\n", "-Y 1 +X 1", {})).message, HasSubstr("line 2"));
+  EXPECT_THAT(decodingError(file("EXPOSURE=0\n", "-Y 1 +X 1", {})).message, HasSubstr("exposure 0"));
+  EXPECT_THAT(decodingError(file("COLORCORR=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("3 numbers behind"));
   for (const char* resolution :
        {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1", "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 ", ""})
-    EXPECT_THAT(failureOf(file("", resolution, {1, 1, 1, 1})).message, HasSubstr("line 3 should be the resolution"))
+    EXPECT_THAT(decodingError(file("", resolution, {1, 1, 1, 1})).message, HasSubstr("line 3 should be the resolution"))
         << resolution;
 }
 
@@ -294,25 +294,26 @@ TEST(Hdr, WhatTheHeaderSaysIsQuoted) {
 }
 
 TEST(Hdr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  EXPECT_EQ(failureOf(file("", "-Y 0 +X 1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
-  EXPECT_EQ(failureOf(file("", "-Y 1 +X -1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
-  EXPECT_EQ(failureOf(file("", "-Y 2147483648 +X 1", {1, 1, 1, 1})).code, ErrorCode::too_large);
-  EXPECT_EQ(failureOf(file("", "-Y 2147483648 +X 2147483648", {1, 1, 1, 1})).code, ErrorCode::too_large);
-  EXPECT_THAT(failureOf(file("", "-Y 32768 +X 32768", {1, 1, 1, 1})).message, HasSubstr("truncated"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 1073741824", {9, 1, 1, 1, 1, 1, 1, 255})).message, HasSubstr("truncated"));
+  EXPECT_EQ(decodingError(file("", "-Y 0 +X 1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
+  EXPECT_EQ(decodingError(file("", "-Y 1 +X -1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
+  EXPECT_EQ(decodingError(file("", "-Y 2147483648 +X 1", {1, 1, 1, 1})).code, ErrorCode::too_large);
+  EXPECT_EQ(decodingError(file("", "-Y 2147483648 +X 2147483648", {1, 1, 1, 1})).code, ErrorCode::too_large);
+  EXPECT_THAT(decodingError(file("", "-Y 32768 +X 32768", {1, 1, 1, 1})).message, HasSubstr("truncated"));
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 1073741824", {9, 1, 1, 1, 1, 1, 1, 255})).message,
+              HasSubstr("truncated"));
 }
 
 TEST(Hdr, WrongScanLinesAreNamed) {
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 9, 0, 0, 0, 0})).message,
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 8", {2, 2, 0, 9, 0, 0, 0, 0})).message,
               HasSubstr("length is not the image's"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0, 0})).message, HasSubstr("run of no bytes"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 9, 0, 0, 0})).message,
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0, 0})).message, HasSubstr("run of no bytes"));
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 9, 0, 0, 0})).message,
               HasSubstr("longer than its scan line"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 2", {5, 5, 5, 136, 1, 1, 1, 2})).message,
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 2", {5, 5, 5, 136, 1, 1, 1, 2})).message,
               HasSubstr("longer than its scan line"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 2", {1, 1, 1, 1, 5, 5, 5, 136})).message,
+  EXPECT_THAT(decodingError(file("", "-Y 1 +X 2", {1, 1, 1, 1, 5, 5, 5, 136})).message,
               HasSubstr("begins with a repetition"));
-  const std::string message = failureOf(file("", "-Y 2 +X 2", {5, 5, 5, 136, 5, 5, 5, 136, 5, 5, 5, 136})).message;
+  const std::string message = decodingError(file("", "-Y 2 +X 2", {5, 5, 5, 136, 5, 5, 5, 136, 5, 5, 5, 136})).message;
   EXPECT_THAT(message, HasSubstr("truncated (scan line 1, byte "));
 }
 

@@ -4,9 +4,9 @@
 const int kDitherLevels = 64;
 
 // The level of a pixel, from 0 to kDitherLevels − 1: neighbours have levels far apart, and every patch of pixels has
-// all of them equally often. It is x / g + y / g² modulo 1 with g the real root of x³ = x + 1, folded into a triangle wave
-// so that it has no jump (Martin Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"). The factors
-// are multiples of 2⁻³²: unsigned integers wrap round as the fraction does.
+// all of them nearly equally often. It is x / g + y / g² modulo 1 with g the real root of x³ = x + 1, folded into a
+// triangle wave so that it has no jump (Martin Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
+// Sequences"). The factors are multiples of 2⁻³²: unsigned integers wrap round as the fraction does.
 //   pixel   column and row
 FN int ditherLevel(ivec2 pixel) {
   uint phase = uint(pixel.x) * 3242174889u + uint(pixel.y) * 2447445414u;

@@ -47,6 +47,13 @@ FN float shareInDisc(float distance2, float radius, float width, float seen) {
   return softenedShare(share, span, radius, seen);
 }
 
+// The root of x (1 + distance² / (1 + x circle)) = 1, as shareInEllipse needs it for a circle.
+FN float rootOfCircle(float distance2, float circle) {
+  float beyond = 1.0f + distance2 - circle;
+  float root = sqrt(beyond * beyond + 4.0f * circle);
+  return beyond > 0.0f ? 2.0f / (beyond + root) : (root - beyond) / (2.0f * circle);
+}
+
 // The share of GGX's density of slopes that an ellipse beside its middle catches; the lobe's width is 1. The slopes are
 // the gnomonic picture of a hemisphere whose density is the cosine, so that the share is the form factor of an elliptic
 // cone, as of a disc in linearly transformed cosines (Heitz & Hill 2017, "Real-time line- and disk-light shading"):
@@ -54,30 +61,35 @@ FN float shareInDisc(float distance2, float radius, float width, float seen) {
 // −λ = x and the ellipse { middle + M u, |u| ≤ 1 } of spread S = M Mᵀ, the characteristic polynomial becomes
 //   x (1 + middleᵀ (1 + x S)⁻¹ middle) = 1,
 // whose left side is increasing and concave: from a bound below its one root on, Newton's steps come nearer from one
-// side. The bound is the root for a circle, which is exact for one; three steps leave 1e-3 of the greatest share.
+// side. Both bounds are roots for circles: one is exact where the ellipse is round, the other where its middle lies on
+// the line of its longer axis. Five steps leave 2e-4 at most, for axes as different as 1 to 3000; nearly always they
+// leave no more than rounding does.
 //   spread      S.xx, S.xy, S.yy
 //   area        of the ellipse, over π: √det S, at least 0
 FN float shareInEllipse(vec2 middle, vec3 spread, float area) {
-  float distance2 = dot(middle, middle);
-  float trace = spread.x + spread.z;
-  float det = area * area;
-  float across2 = spread.z * middle.x * middle.x - 2.0f * spread.y * middle.x * middle.y +
-                  spread.x * middle.y * middle.y;
-  across2 = max(across2, 1e-30f);
-  float circle = max(min(area * (area * (distance2 / across2)), trace), 1e-30f);
-  float beyond = 1.0f + distance2 - circle;
-  float root = sqrt(beyond * beyond + 4.0f * circle);
-  float x = beyond > 0.0f ? 2.0f / (beyond + root) : (root - beyond) / (2.0f * circle);
-  for (int i = 0; i < 3; ++i) {
-    float widened = 1.0f + x * (trace + x * det);
-    float seen = (distance2 + x * across2) / widened;
-    float slope = (across2 - seen * (trace + 2.0f * x * det)) / widened;
-    x += (1.0f - x * (1.0f + seen)) / (1.0f + seen + x * slope);
+  const float kLeast = 1e-18f;
+  // The longer and the shorter half-axis, squared, and how far the middle lies along the longer one and beside it.
+  vec2 twice = vec2(spread.x - spread.z, 2.0f * spread.y);
+  float difference = length(twice);
+  float longer = max(0.5f * (spread.x + spread.z + difference), kLeast);
+  float shorter = area * (area / longer);
+  vec2 axis = twice.x < 0.0f ? vec2(twice.y, difference - twice.x) : vec2(difference + twice.x + kLeast, twice.y);
+  axis /= length(axis);
+  float along2 = dot(middle, axis) * dot(middle, axis);
+  float beside = middle.x * axis.y - middle.y * axis.x;
+  float beside2 = beside * beside;
+  float distance2 = along2 + beside2;
+  float circle = min(distance2 / max(along2 / longer + beside2 / max(shorter, kLeast), kLeast), longer);
+  float x = max(rootOfCircle(distance2, max(circle, kLeast)),
+                rootOfCircle(along2 / (1.0f + beside2), longer / (1.0f + beside2)) / (1.0f + beside2));
+  for (int i = 0; i < 5; ++i) {
+    vec2 shrunk = vec2(1.0f / (1.0f + x * longer), 1.0f / (1.0f + x * shorter));
+    vec2 seen = vec2(along2 * shrunk.x, beside2 * shrunk.y);
+    x += (1.0f - x * (1.0f + seen.x + seen.y)) / (1.0f + dot(seen, shrunk));
   }
-  float widened = 1.0f + x * (trace + x * det);
-  vec2 turned = vec2((1.0f + x * spread.z) * middle.x - x * spread.y * middle.y,
-                     (1.0f + x * spread.x) * middle.y - x * spread.y * middle.x) / widened;
-  return x * area / (sqrt(widened) * (1.0f + dot(turned, turned)));
+  vec2 shrunk = vec2(1.0f / (1.0f + x * longer), 1.0f / (1.0f + x * shorter));
+  float turned2 = along2 * shrunk.x * shrunk.x + beside2 * shrunk.y * shrunk.y;
+  return x * area * sqrt(shrunk.x * shrunk.y) / (1.0f + turned2);
 }
 
 // The mean cosine of reflected directions of GGX's facets about their mirror direction, seen from straight above; those

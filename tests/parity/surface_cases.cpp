@@ -438,6 +438,7 @@ const Case kSurfaceCases[] = {
            vec4(shareInDisc(p.x, 0.125f + p.y, p.z, 0.0f), shareInDisc(p.x, 0.125f + p.y, 0.0f, 0.25f), 0.0f, 0.0f)),
     PARITY(spanAtEdge, unit, kTight, vec4(spanAtEdge(p.x - p.y, p.z, 0.25f + p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(softenedShare, unit, kTight, vec4(softenedShare(p.x, p.y, 0.25f + p.z, p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(rootOfCircle, unit, kTranscendental, vec4(rootOfCircle(4.0f * p.x, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(shareInEllipse, unit, kTranscendental,
            vec4(shareInEllipse(vec2(4.0f * p.x, 2.0f * p.y), vec3(0.25f + q.x, 0.2f * q.y, 0.25f + q.z),
                                sqrt((0.25f + q.x) * (0.25f + q.z) - 0.04f * q.y * q.y)),

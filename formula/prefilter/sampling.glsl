@@ -14,6 +14,22 @@ FN vec2 sampleOffset(int i, int count) {
   return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
+// Which of `lobes` parts of what a sample sees one of a row of lobes reads: there are 2 in each column, numbered
+// upwards and then to the right, so that part p and part lobes − 1 − p are mirror images about the middle. The lobes of
+// a sample read all parts, and neighbours in the row, which are much alike, read mirror images. So does one lobe in the
+// samples of a pair: so no picture is shifted, nor changes much where some pixels take a first pair alone. In as many
+// samples as there are lobes, each lobe reads all parts.
+//   lobes     2, 4 or 6
+//   i         the sample, of `samples`
+//   returns   −1: the whole, of the sample in the centre, or of fewer samples than lobes
+FN int partOfLobe(int lobe, int lobes, int i, int samples) {
+  int in_pairs = i - samples % 2;
+  if (samples < lobes || in_pairs < 0) return -1;
+  int part = (lobe / 2 + in_pairs / 2) % (lobes / 2);
+  bool is_image = lobe % 2 != in_pairs % 2;
+  return is_image ? lobes - 1 - part : part;
+}
+
 // A sample's own footprint on a surface is read in so many strata, the cells of a grid, where each of them looks
 // another way.
 const int kStrataAcross = 4;

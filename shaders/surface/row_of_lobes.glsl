@@ -11,11 +11,11 @@ vec4 lobeRowTexel(int lobe, float perceptual_roughness, float cosine) {
   return textureLod(brdf_table, place / size, 0.0);
 }
 
-// Each lobe sees a part of the patch of its own: 2 in each of as many columns as it takes. Where the patch is wider
-// than the lobes, as on small polished things, they are as many reads of it; where it is narrower it does not matter which
-// part it is. Weights differ, so from sample to sample the parts go round.
-Patch partOfLobe(Patch area, int lobe) {
-  int part = (lobe + int(sample_phase * samples_per_pixel)) % LOBE_TAPS;
+// Each lobe sees a part of the patch of its own. Where the patch is wider than the lobes, as on small polished things,
+// they are as many reads of it; where it is narrower it does not matter which part it is.
+Patch patchOfLobe(Patch area, int lobe) {
+  int part = partOfLobe(lobe, LOBE_TAPS, int(sample_phase * samples_per_pixel), int(samples_per_pixel));
+  if (part < 0) return area;
   vec2 size = vec2(2.0 / float(LOBE_TAPS), 0.5);
   return partOfPatch(area, (vec2(part / 2, part % 2) + 0.5) * size - 0.5, size);
 }
@@ -35,7 +35,7 @@ vec3 lightOfRow(Surface s, SurfacePoint point, vec3 d, Patch area) {
     RoundLobe lobe = lobeOfRow(texel, roughness, s.normal, r);
     vec3 weight = mix(vec3(lobe.weight), vec3(lobe.grazing_weight), s.reflectance.grazing);
     vec4 of_lobe = look_up_matrix * vec4(lobe.direction, 1.0);
-    light += weight * lightOfPatch(point, normalize(of_lobe.xyz), partOfLobe(area, i), lobe.perceptual_roughness);
+    light += weight * lightOfPatch(point, normalize(of_lobe.xyz), patchOfLobe(area, i), lobe.perceptual_roughness);
     weights += weight;
   }
   return light / weights;

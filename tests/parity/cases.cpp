@@ -201,6 +201,10 @@ const Case kCases[] = {
     // sampling
     PARITY(evenPoint, unit, kTight, vec4(evenPoint(vec2(p), 64.0f * q.x), 0.0f, 0.0f)),
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
+    PARITY(partOfLobe, unit, kExact,
+           vec4(float(partOfLobe(int(3.9375f * p.x), 4, int(7.9375f * p.y), 8)),
+                float(partOfLobe(int(5.9375f * p.x), 6, int(8.9375f * p.y), 9)),
+                float(partOfLobe(int(3.9375f * p.x), 4, int(1.9375f * p.y), 2)), 0.0f)),
     PARITY(placeInStratum, unit, kTight, vec4(placeInStratum(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),
     PARITY(sampleFootprint, direction, kTight,
            vec4(sampleFootprint(vec3(p), vec3(q), 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),

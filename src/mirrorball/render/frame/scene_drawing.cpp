@@ -10,6 +10,7 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/light/probe_places.h"
+#include "mirrorball/render/surface/pixel_cells.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 
 namespace mirrorball {
@@ -189,11 +190,16 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
     MIRRORBALL_TRY(made, GroundMirror::make(api(), *frame.light.proxy));
     ground_mirror_ = std::move(made);
   }
-  // A rough ground blurs the picture: that of the first sample does for all others, with fewer pixels.
+  // A rough ground blurs the picture: one for all samples does, with fewer pixels and one sample of them.
   constexpr float kRough = 0.1f;
   const bool is_blurred = settings.proxy.ground_roughness >= kRough;
   if (is_blurred && frame.sample.number > 0) return {};
-  if (is_blurred) settings.size = (settings.size + 1) / 2;
+  if (is_blurred) {
+    const glm::vec2 place = placeOfSample(frame.sample.number, settings.samples);
+    frame.sample.camera = shiftedInPixel(frame.sample.camera, place - 0.5f, settings.size);
+    settings.size = (settings.size + 1) / 2;
+    settings.samples = 1;
+  }
   const float ground = frame.light.proxy->proxy().ground;
   MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample.camera, ground, staged_->bounds(), settings.size));
   frame.sample.camera = ground_mirror_->below();

@@ -146,6 +146,27 @@ TEST_P(FilteredFrameTest, ASmallPolishedBallIsNotSmeared) {
   }
 }
 
+// In light that is alike on the left and on the right, with one sample in the middle of each pixel, a ball is alike on
+// both sides: no lobe of its row looks at one side of a pixel alone. So it does not hop where further samples are added.
+TEST_P(FilteredFrameTest, OneSampleOfAPolishedBallLooksAtBothSidesOfAPixel) {
+  const Environment alike(
+      [](glm::vec3 d) { return glm::vec3(std::cos(12.0f * std::atan2(d.x, d.z)) > 0.0f ? 1.0f : 0.0f); }, 256);
+  constexpr int kSide = 40;
+  FrameSettings settings = seenFrom(0, 0, 1);
+  settings.size = {kSide, kSide};
+  settings.camera.orthographic_height = 2.0f;
+  const Image image = drawn(mirrorBall(0.1f), alike, settings, TextureFilter::trilinear);
+  double difference = 0.0;
+  double contrast = 0.0;
+  for (int y = 4; y < kSide - 4; ++y)
+    for (int x = 4; x < kSide / 2; ++x) {
+      const float left = rgbAt(image, x, y).y;
+      difference += std::pow(double(left - rgbAt(image, kSide - 1 - x, y).y), 2.0);
+      contrast += std::pow(double(left - rgbAt(image, x + 1, y).y), 2.0);
+    }
+  EXPECT_LT(difference, 1e-3 * contrast);
+}
+
 TEST_P(FilteredFrameTest, TheBlurOfRoughSurfacesStays) {
   const Environment lines = meridians();
   const Image usual = drawn(mirrorBall(0.7f), lines, seenFrom(0, 0, 4), TextureFilter::trilinear);

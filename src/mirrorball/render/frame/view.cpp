@@ -6,9 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include "formula/prefilter.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/frame/frame_light.h"
 #include "mirrorball/render/frame/probes.h"
@@ -16,19 +13,10 @@
 #include "mirrorball/render/frame/scene_drawing.h"
 #include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/render/surface/light_reads.h"
+#include "mirrorball/render/surface/pixel_cells.h"
 #include "mirrorball/scene/camera/framing.h"
 
 namespace mirrorball {
-namespace {
-
-/// The camera with its picture shifted by a part of a pixel.
-Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
-  const glm::vec2 ndc = offset_px * 2.0f / glm::vec2(size);
-  camera.clip_from_view = glm::translate(glm::mat4(1.0f), glm::vec3(ndc, 0.0f)) * camera.clip_from_view;
-  return camera;
-}
-
-}  // namespace
 
 /// What a view has on a device.
 struct View::OnDevice {
@@ -208,7 +196,7 @@ Result<int> View::drawSample() {
   if (drawn == settings.samples) return drawn;
   const glm::vec2 offset_px = 0.5f - placeOfSample(drawn, settings.samples);
   FrameUniforms of_sample = on.frame;
-  of_sample.sample.camera = shifted(on.frame.sample.camera, offset_px, settings.size);
+  of_sample.sample.camera = shiftedInPixel(on.frame.sample.camera, offset_px, settings.size);
   of_sample.sample.number = drawn;
   of_sample.sample.mask = on.samples->mask();
   MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, settings));

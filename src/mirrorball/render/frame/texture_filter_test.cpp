@@ -147,7 +147,7 @@ TEST_P(FilteredFrameTest, ASmallPolishedBallIsNotSmeared) {
 }
 
 // In light that is alike on the left and on the right, with one sample in the middle of each pixel, a ball is alike on
-// both sides: no lobe of its row looks at one side of a pixel alone. So it does not hop where further samples are added.
+// both sides: no lobe of its row looks at one side of a pixel alone. So it does not hop where samples are added.
 TEST_P(FilteredFrameTest, OneSampleOfAPolishedBallLooksAtBothSidesOfAPixel) {
   const Environment alike(
       [](glm::vec3 d) { return glm::vec3(std::cos(12.0f * std::atan2(d.x, d.z)) > 0.0f ? 1.0f : 0.0f); }, 256);

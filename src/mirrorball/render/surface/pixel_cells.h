@@ -22,9 +22,9 @@ glm::vec2 placeOfSample(int sample, int samples);
 /// size   of the picture [pixels]
 Camera shiftedInPixel(Camera camera, glm::vec2 offset_px, glm::ivec2 size);
 
-/// For each sample of a pixel the cell that it stands for. All have the same area, and together they are the pixel. The
-/// cells of a pair of samples, which are mirror images (formula::sampleOffset), are mirror images, too, so that a pair's
-/// mean lies in the pixel's middle; the one sample of an odd number has a cell there.
+/// For each sample of a pixel the cell that it stands for. All have the same area, and together they are the pixel.
+/// The cells of a pair of samples, which are mirror images (formula::sampleOffset), are mirror images, too, so that a
+/// pair's mean lies in the pixel's middle; the one sample of an odd number has a cell there.
 ///
 /// Columns of the samples that lie farthest to the left, the next ones and so on, each as wide as it has samples, and
 /// cells over each other in each column likewise; or rows in place of columns. Of both, and of some numbers of columns,

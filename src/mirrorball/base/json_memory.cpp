@@ -16,8 +16,8 @@ constexpr std::uint64_t kInString = 15;  // letters of a std::string that take n
 constexpr std::uint64_t kOutside = 32;   // of longer ones in addition to the letters
 // What the parser has beside the tree. Of a string that it refuses, six copies at a time: the token's letters, the
 // decoded ones, the token once more for the handler and once for the message, that message, and the exception's text;
-// and up to two in the gaps that shorter copies have left in the heap as these grew. Of an object or array that is open,
-// a pointer in a vector that grows.
+// and up to two in the gaps that shorter copies have left in the heap as these grew. Of an object or array that is
+// open, a pointer in a vector that grows.
 constexpr std::uint64_t kParserCopies = 8;
 constexpr std::uint64_t kParent = 24;
 

@@ -48,9 +48,9 @@ Image decode(std::span<const Code> samples, int width, int height, int channels,
 
 /// Finds the code of a light without a power function. The codes' boundaries (of a dither level with the threshold t,
 /// the lights that encode to k + 1 − t; t = ½ rounds to the nearest code) ascend, so the code is how many of them lie
-/// at or below the light. A table over the light's exponent and its first 7 mantissa bits has, for the lower end of such
-/// an interval, the least code of all levels. The interval spans less than one code (near white, where it is widest in
-/// codes, 255/2.4/128 = 0.83), and the levels differ by less than one, so at most two steps follow.
+/// at or below the light. A table over the light's exponent and its first 7 mantissa bits has the least code of all
+/// levels for the lower end of such an interval. The interval spans less than one code (near white, where it is widest
+/// in codes, 255/2.4/128 = 0.83), and the levels differ by less than one, so at most two steps follow.
 class Encoder {
  public:
   /// thresholds  ascending

@@ -18,8 +18,8 @@ float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel);
 ///
 /// Rows get shorter towards a pole, so the plain weights give the row nearer to it more solid angle than its texels
 /// have: a bright first row of a panorama gains 8 %. At the distance x from the border at the polar angle θ, with rows
-/// of the height s, the integral of (b/4 − b x²/s²) (sin θ + x cos θ) makes up for it where b = s cot θ / 4, to the second
-/// order in s.
+/// of the height s, the integral of (b/4 − b x²/s²) (sin θ + x cos θ) makes up for it where b = s cot θ / 4, to the
+/// second order in s.
 ///
 /// returns  height + 1 elements from −¼ to ¼; 0 at both poles, across which a row meets itself
 std::vector<float> panoramaRowBends(int height);

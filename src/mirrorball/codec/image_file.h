@@ -8,8 +8,8 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/dither.h"
 #include "mirrorball/codec/color/output_primaries.h"
-#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {

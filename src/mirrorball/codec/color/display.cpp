@@ -8,6 +8,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_format.h"
 
 namespace mirrorball {

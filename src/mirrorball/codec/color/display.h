@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/color/dither.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {

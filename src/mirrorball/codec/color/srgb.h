@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "mirrorball/codec/color/dither.h"
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/image/image.h"
 
@@ -17,12 +18,6 @@ Image linearFromPicture(const Image8& picture, const TransferCurve& curve = kSrg
 /// samples  width · height · channels, in the machine's byte order
 Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels,
                           const TransferCurve& curve = kSrgbCurve);
-
-/// How colours between two codes become codes.
-enum class Dither {
-  none,     ///< the nearest
-  pattern,  ///< the one or the other, by the pixel's place: formula::dithered
-};
 
 /// Encodes linear light to sRGB: clipped to [0, 1]; NaN becomes 0. A fourth channel, alpha, is rounded to the nearest
 /// code.

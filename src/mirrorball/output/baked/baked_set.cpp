@@ -14,6 +14,7 @@
 #include "mirrorball/base/folder.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/convert/convert.h"
@@ -231,6 +232,8 @@ class SetWriter {
 };
 
 }  // namespace
+
+bool BakedSetSettings::makes(BakedPart part) const { return only.empty() || contains(only, part); }
 
 struct BakedSet::Parts {
   BakedSetSettings settings;

@@ -11,7 +11,6 @@
 #include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/observer.h"
 #include "mirrorball/base/option.h"
-#include "mirrorball/base/range.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/light_edit/lamp_settings.h"
 #include "mirrorball/output/map_file.h"
@@ -50,7 +49,7 @@ struct BakedSetSettings {
   MapFileOptions file = {};            ///< of the cubes; their layout is the set's
 
   /// Whether `only` leaves a part in.
-  bool makes(BakedPart part) const { return only.empty() || contains(only, part); }
+  bool makes(BakedPart part) const;
 };
 
 /// The table of these settings, except for `lamps`, `rotate_deg`, `made_by`, `source` and `file`.

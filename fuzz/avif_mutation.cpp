@@ -233,11 +233,4 @@ Bytes changedAvif(const Bytes& file, std::mt19937& random) {
   return avifOfParts(*parts, onceIn(4, random) ? anyPlaces(random) : AvifPlaces{});
 }
 
-Bytes mutatedAvif(std::uint32_t picture, std::uint32_t change) {
-  std::mt19937 random(change);
-  Bytes file = anyAvif(picture);
-  for (std::size_t changes = below(4, random); changes > 0; --changes) file = changedAvif(file, random);
-  return file;
-}
-
 }  // namespace mirrorball::fuzz

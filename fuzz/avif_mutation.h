@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boxes.h"
+#include "file_mutation.h"
 #include "mirrorball/base/file.h"
 
 namespace mirrorball::fuzz {
@@ -48,7 +49,7 @@ Bytes avifOfParts(const AvifParts& parts, const AvifPlaces& places = {});
 /// Another file in which boxes, items and AV1 data have the right sizes. Other bytes are changed anywhere.
 Bytes changedAvif(const Bytes& file, std::mt19937& random);
 
-/// A file of anyAvif with up to three changes; equal numbers make equal files.
-Bytes mutatedAvif(std::uint32_t picture, std::uint32_t change);
+inline constexpr FileMutation kAvifMutation{.any = [](std::uint32_t number) { return Bytes(anyAvif(number)); },
+                                            .changed = changedAvif};
 
 }  // namespace mirrorball::fuzz

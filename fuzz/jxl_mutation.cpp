@@ -95,11 +95,4 @@ Bytes changedJxl(const Bytes& file, std::mt19937& random) {
   return jxlOfParts(*parts, random);
 }
 
-Bytes mutatedJxl(std::uint32_t picture, std::uint32_t change) {
-  std::mt19937 random(change);
-  Bytes file = anyJxl(picture);
-  for (std::size_t changes = below(4, random); changes > 0; --changes) file = changedJxl(file, random);
-  return file;
-}
-
 }  // namespace mirrorball::fuzz

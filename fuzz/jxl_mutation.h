@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxes.h"
+#include "file_mutation.h"
 #include "mirrorball/base/file.h"
 
 namespace mirrorball::fuzz {
@@ -34,7 +35,7 @@ Bytes jxlOfParts(const JxlParts& parts, std::mt19937& random);
 /// are changed anywhere.
 Bytes changedJxl(const Bytes& file, std::mt19937& random);
 
-/// A file of anyJxl with up to three changes; equal numbers make equal files.
-Bytes mutatedJxl(std::uint32_t picture, std::uint32_t change);
+inline constexpr FileMutation kJxlMutation{.any = [](std::uint32_t number) { return Bytes(anyJxl(number)); },
+                                           .changed = changedJxl};
 
 }  // namespace mirrorball::fuzz

@@ -45,11 +45,7 @@ const Option<BakeOptions> kBakeOutput{
     {.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output};
 
 const auto kBakeOptions = std::to_array<Option<BakeOptions>>({
-    {{.name = "from",
-      .value = "FORM",
-      .help = "form of the environment map, if it is not recognised (see convert --from)",
-      .names = projectionNames},
-     &BakeOptions::from},
+    {formText("form of the environment map, if it is not recognised (see convert --from)"), &BakeOptions::from},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},

@@ -47,11 +47,7 @@ const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
               "states none"},
      &InfoOptions::north},
     {{.name = "json", .help = "print JSON: an object for one file, an array for several"}, &InfoOptions::json},
-    {{.name = "from",
-      .value = "FORM",
-      .help = "form of the map, if it is not recognised (see convert --from)",
-      .names = projectionNames},
-     &InfoOptions::from},
+    {formText("form of the map, if it is not recognised (see convert --from)"), &InfoOptions::from},
     {kInsideOnlyText, &InfoOptions::inside_only},
     {kMaxMemoryText, kMemoryLimitField<InfoOptions>},
 });

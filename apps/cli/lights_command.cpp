@@ -74,11 +74,7 @@ const auto kOutputs = std::to_array<Option<LightsOptions>>({
 });
 
 const auto kInputs = std::to_array<Option<LightsOptions>>({
-    {{.name = "from",
-      .value = "FORM",
-      .help = "form of the map, if it is not recognised (see convert --from)",
-      .names = projectionNames},
-     &LightsOptions::from},
+    {formText("form of the map, if it is not recognised (see convert --from)"), &LightsOptions::from},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &LightsOptions::repair},
     {kMaxMemoryText, kMemoryLimitField<LightsOptions>},

@@ -24,20 +24,9 @@ const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or
                                      "; sky takes parameters, as in sky:elevation=20,turbidity=3";
 
 const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
-    {{.name = "env",
-      .value = "ENV",
-      .help = kEnvironmentHelp,
-      .letter = "e",
-      .group = "Files",
-      .takes_path = true,
-      .is_daily = true,
-      .names = builtinEnvironmentNames},
-     &SceneRequest::environment},
-    {{.name = "from",
-      .value = "FORM",
-      .help = "form of the environment map, if it is not recognised: a projection (see convert --to) or a cube layout",
-      .group = "Files",
-      .names = projectionNames},
+    {environmentText(kEnvironmentHelp), &SceneRequest::environment},
+    {formText("form of the environment map, if it is not recognised: a projection (see convert --to) or a cube layout",
+              "Files"),
      &SceneRequest::from},
     {kInsideOnlyText, &SceneRequest::inside_only},
     {{.name = "repair",

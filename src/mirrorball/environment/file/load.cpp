@@ -283,6 +283,21 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
 
 }  // namespace
 
+OptionText environmentText(std::string_view help) {
+  return {.name = "env",
+          .value = "ENV",
+          .help = help,
+          .letter = "e",
+          .group = "Files",
+          .takes_path = true,
+          .is_daily = true,
+          .names = builtinEnvironmentNames};
+}
+
+OptionText formText(std::string_view help, std::string_view group) {
+  return {.name = "from", .value = "FORM", .help = help, .group = group, .names = projectionNames};
+}
+
 std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from) {
   const auto files = faceFilesBeside(path);
   if (!files || from.layout == CubeLayout::faces) return files;

@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "mirrorball/base/option.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/environment.h"
@@ -13,6 +15,12 @@
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
+
+/// --env, of what shows models in an environment.
+OptionText environmentText(std::string_view help);
+
+/// --from, of what reads maps: the text is for formHintNamed.
+OptionText formText(std::string_view help, std::string_view group = {});
 
 /// How to read an environment.
 struct EnvironmentLoadOptions {

@@ -120,7 +120,7 @@ TEST_F(BakePartsTest, ManyEnvironmentsEachHaveThem) {
 
 TEST_F(BakePartsTest, ContradictionsAreRefused) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"--only specular,light", "no part of a baked set is named 'light' (there are: specular, irradiance,"},
+      {"--only specular,light", "--only: no part of a baked set is named 'light' (there are: specular, irradiance,"},
       {"--only irradiance --size 64", "--size describes what --only leaves out"},
       {"--only irradiance --brdf-size 64", "--brdf-size describes what --only leaves out"},
       {"--only irradiance --distribution phong", "--distribution describes what --only leaves out"},

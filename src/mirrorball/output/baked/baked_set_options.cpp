@@ -46,11 +46,13 @@ constexpr ParsedField<BakedSetSettings> kOnlyField{
       for (const BakedPart part : settings.only) names.push_back(kPartNames[static_cast<std::size_t>(part)]);
       return join(names, ",");
     },
-    [](const OptionText&, std::string_view written, BakedSetSettings& settings) -> Result<void> {
+    [](const OptionText& text, std::string_view written, BakedSetSettings& settings) -> Result<void> {
       std::vector<BakedPart> parts;
       for (const std::string& name : split(written, ',')) {
         const auto index = indexOfName(name, kPartNames);
-        if (!index) return tl::unexpected<Error>(unknownName("part of a baked set", name, kPartNames));
+        if (!index)
+          return withName(std::string(text.name),
+                          Result<void>(tl::unexpected<Error>(unknownName("part of a baked set", name, kPartNames))));
         const auto part = static_cast<BakedPart>(*index);
         if (!contains(parts, part)) parts.push_back(part);
       }

@@ -1,9 +1,11 @@
 #include "cli/commands.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "cli/common_options.h"
+#include "cli/terminal.h"
 
 namespace mirrorball::cli {
 
@@ -15,8 +17,11 @@ std::vector<Command> allCommands() {
   for (Command& command : commands) {
     auto common = std::make_shared<CommonOptions>();
     addOptions(command, commonOptions(), *common);
-    command.action = [common, work = std::move(command.action)] {
+    const bool has_size = std::any_of(command.options.begin(), command.options.end(),
+                                      [](const CommandOption& option) { return option.text.name == "size"; });
+    command.action = [common, has_size, work = std::move(command.action)] {
       use(*common);
+      if (!has_size) suggestNoSize();
       return work();
     };
   }

@@ -25,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 std::atomic<bool> bar_shown = false;
 std::atomic<bool> is_quiet = false;
+std::atomic<bool> suggests_size = true;
 std::atomic<bool> output_is_taken = false;
 
 /// What stands in messages for which path; filled before any work begins.
@@ -84,6 +85,8 @@ constexpr double kBetweenLines_s = 30.0;
 bool showsProgress() { return isTerminal(); }
 
 void beQuiet() { is_quiet = true; }
+
+void suggestNoSize() { suggests_size = false; }
 
 void showAs(const std::string& path, const std::string& name) { shownNames()[path] = name; }
 
@@ -198,7 +201,8 @@ std::string adviceOn(FixHint hint) {
     case FixHint::raise_memory:
       return "; raise --max-memory";
     case FixHint::raise_memory_or_shrink:
-      return "; --max-memory raises that, a smaller --size needs less";
+      return suggests_size ? "; --max-memory raises that, a smaller --size needs less"
+                           : adviceOn(FixHint::raise_memory);
     case FixHint::store_floats:
       return ", or use --format float32";
     case FixHint::scale_light:

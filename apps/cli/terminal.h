@@ -13,6 +13,9 @@ namespace mirrorball::cli {
 /// From now on nothing is said but errors, and no progress is shown.
 void beQuiet();
 
+/// From now on no error suggests a smaller --size: the command has no such option.
+void suggestNoSize();
+
 /// From now on whatever is said has `name` where it would have `path`.
 void showAs(const std::string& path, const std::string& name);
 

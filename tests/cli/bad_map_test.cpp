@@ -256,6 +256,8 @@ TEST_F(BadMapTest, TheLineEndsWithTheOptionThatHelps) {
   EXPECT_THAT(line("large.exr -o out.ktx2 --max-memory 1e5"), EndsWith(" at a time; raise --max-memory"));
   EXPECT_THAT(line("large.exr --repair -o out.exr --max-memory 1M"),
               EndsWith(" may be used; --max-memory raises that, a smaller --size needs less"));
+  for (const std::string without_size : {"info large.exr", "lights large.exr"})
+    EXPECT_THAT(refuse(1, without_size + " --max-memory 1e5"), EndsWith(" may be used; raise --max-memory"));
   EXPECT_THAT(refuse(2, "convert uv --to cube --for blender -o out.exr"),
               EndsWith(" has no cube maps; give it a panorama (convert --to equirect)"));
 }

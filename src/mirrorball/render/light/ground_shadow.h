@@ -12,6 +12,7 @@
 #include "mirrorball/gl/program.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/light/ground_light.h"
+#include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/coarse_mesh.h"
 #include "mirrorball/scene/proxy/proxy.h"
 
@@ -27,8 +28,8 @@ std::vector<CoarseMesh> shadowCasters(const Scene& scene);
 /// shadows are added up (Heckbert & Herf 1997, "Simulating soft shadows with graphics hardware").
 class GroundShadow {
  public:
-  static constexpr int kSize = 512;        ///< texels
-  static constexpr float kModelRadii = 4;  ///< from the middle to each side
+  static constexpr int kSize = 512;                   ///< texels
+  static constexpr float kModelRadii = kShadowReach;  ///< from the middle to each side
 
   /// casters  of a scene
   /// errors   unsupported, no_gl

@@ -13,8 +13,8 @@ namespace mirrorball {
 /// the target, as a turntable shows it. With CameraOptions::ground_light_turns the light goes round, too.
 enum class FramingOf { still, whole_turn };
 
-/// How far from the middle of a model's foot a framing holds its shadow, in model radii: there the shadow on the ground
-/// has faded out (GroundShadow::kModelRadii), and a low sun does not make the model a dot.
+/// How far from the middle of a model's foot a shadow on the ground is drawn, and a framing holds it, in model radii:
+/// there it has faded out, and a low sun does not make the model a dot.
 constexpr float kShadowReach = 4.0f;
 
 /// The elevation of a light from which down a framing holds less and less of its shadow, at the horizon none: a sun

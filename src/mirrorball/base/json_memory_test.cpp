@@ -92,9 +92,12 @@ std::uint64_t memoryForParsing(const std::string& text) {
   return taken;
 }
 
-// A little more than a power of two of each, so that what grows has just done so.
+// A little more than a power of two of each, so that what grows has just done so. The kernel counts the pages of a process
+// for each processor and adds them up from time to time, the more seldom the more processors there are: what it says of
+// the peak is up to a megabyte off, some 3 % of the bounds here.
 TEST(JsonMemory, BoundsThePeakOfParsingToo) {
   if (testing::isSanitized()) GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  constexpr std::uint64_t kMiscounted = std::uint64_t{1} << 20;
   constexpr std::size_t kLetters = (std::size_t{1} << 22) + 1000;
   constexpr std::size_t kDepth = (std::size_t{1} << 17) + 1000;
   for (const auto& [what, text] : std::vector<std::pair<const char*, std::string>>{
@@ -105,7 +108,7 @@ TEST(JsonMemory, BoundsThePeakOfParsingToo) {
            {"objects without an end", repeated("{\"\":", kDepth)}}) {
     const JsonMemory needed = jsonMemory(text);
     const std::uint64_t taken = memoryForParsing(text);
-    EXPECT_GE(needed.tree + needed.parsing, taken) << what;
+    EXPECT_GE(needed.tree + needed.parsing + kMiscounted, taken) << what;
     EXPECT_LE(needed.tree + needed.parsing, 4 * taken) << what;
   }
 }

@@ -124,7 +124,7 @@ struct ComparedSide {
 
 Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, progressBar("reading " + shown(path)))));
+  MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, {.progress = progressBar("reading " + shown(path))})));
   const bool is_picture = holdsCodes(bytes) && decoded.gain_map != GainMapUse::applied;
   const ImageKind kind = is_picture ? ImageKind::picture : ImageKind::light;
   if (const NonFinite bad = findNonFinite(decoded.image); repair && bad.count > 0) {

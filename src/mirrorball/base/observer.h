@@ -18,6 +18,7 @@ enum class RemarkKind {
   negative_raised,   ///< values below 0 became 0
   format_widened,    ///< written in 32-bit floats, since half floats do not hold the light
   alpha_lost,        ///< the format has no alpha
+  file_odd,          ///< something in a file is unusual; the message says how it was read
   gain_map_lost,     ///< a file says that it has a gain map, which it lacks
   form_unsaid,       ///< the file does not say what map it holds; `detail` is the hint that does (FormHint)
   light_limited,     ///< LightLimits::max took so much of it

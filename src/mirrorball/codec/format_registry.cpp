@@ -37,19 +37,19 @@ Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& option
   return encodeHdr(light, options.metadata, options.primaries);
 }
 
-constexpr FormatCodec kTexture{.decode = withoutProgress<decodeTexturePicture>};
+constexpr FormatCodec kTexture{.decode = withoutOptions<decodeTexturePicture>};
 
 /// What needs no library.
 constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
-    {ImageFormatId::hdr, {.decode = withoutProgress<decodeHdr>, .open_rows = openHdrRows, .encode = encodeHdrLight}},
+    {ImageFormatId::hdr, {.decode = withoutOptions<decodeHdr>, .open_rows = openHdrRows, .encode = encodeHdrLight}},
     {ImageFormatId::ktx2, kTexture},
     {ImageFormatId::ktx, kTexture},
     {ImageFormatId::dds, kTexture},
-    {ImageFormatId::tga, {.decode = withoutProgress<decodeTga>, .decode_texture = decodeTgaTexture}},
-    {ImageFormatId::bmp, {.decode = withoutProgress<decodeBmp>, .decode_texture = decodeBmpTexture}},
+    {ImageFormatId::tga, {.decode = withoutOptions<decodeTga>, .decode_texture = decodeTgaTexture}},
+    {ImageFormatId::bmp, {.decode = withoutOptions<decodeBmp>, .decode_texture = decodeBmpTexture}},
     {ImageFormatId::pnm,
-     {.decode = withoutProgress<decodePnm>, .decode_texture = decodePnmTexture, .decode_codes = decodePnmCodes}},
-    {ImageFormatId::pfm, {.decode = withoutProgress<decodePfm>}},
+     {.decode = withoutOptions<decodePnm>, .decode_texture = decodePnmTexture, .decode_codes = decodePnmCodes}},
+    {ImageFormatId::pfm, {.decode = withoutOptions<decodePfm>}},
 });
 
 }  // namespace

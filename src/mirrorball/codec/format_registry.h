@@ -16,7 +16,7 @@ namespace mirrorball {
 
 /// How the files of one format are read and written. What is nullptr is not done with it.
 struct FormatCodec {
-  Result<DecodedImage> (*decode)(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) = nullptr;
+  Result<DecodedImage> (*decode)(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) = nullptr;
   /// To 8-bit RGBA as stored; nothing where the format has no integers, or is none of pictures.
   Result<Image8> (*decode_texture)(std::span<const std::uint8_t> bytes) = nullptr;
   /// To the codes as stored; nothing where a format has no more than 8 bits.
@@ -34,9 +34,9 @@ struct FormatCodec {
   int picture_channels = 4;
 };
 
-/// A decode() that is done before a progress could be told.
+/// A decode() of files with one picture, that is done before a progress could be told.
 template <Result<DecodedImage> (*decode)(std::span<const std::uint8_t> bytes)>
-Result<DecodedImage> withoutProgress(std::span<const std::uint8_t> bytes, const ProgressFunction&) {
+Result<DecodedImage> withoutOptions(std::span<const std::uint8_t> bytes, const ImageReadOptions&) {
   return decode(bytes);
 }
 

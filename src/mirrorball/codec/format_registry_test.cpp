@@ -20,7 +20,7 @@ const std::string kTiff("II\x2a\0", 4);
 const std::string kWebp = "RIFF....WEBPVP8 ";
 
 /// A stand-in for a format's target: any decoder will do.
-Result<DecodedImage> decodeNothing(std::span<const std::uint8_t>, const ProgressFunction&) {
+Result<DecodedImage> decodeNothing(std::span<const std::uint8_t>, const ImageReadOptions&) {
   return fail(ErrorCode::bad_file, "is empty");
 }
 

@@ -35,9 +35,9 @@ tl::unexpected<Error> unknownFormat(Span bytes, std::string_view known) {
 /// The codec for these bytes; nullptr where there is none.
 Result<const FormatCodec*> codecFor(Span bytes) { return FormatRegistry::ofThisBuild().codecFor(bytes); }
 
-Result<DecodedImage> decodeByMagic(Span bytes, const ProgressFunction& progress) {
+Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
-  if (codec) return codec->decode(bytes, progress);
+  if (codec) return codec->decode(bytes, options);
   return unknownFormat(bytes, readFormatNames());
 }
 
@@ -60,7 +60,7 @@ const FormatCodec* codecOfIntegers(Span bytes) {
 Result<Image> decodeNumbersByMagic(Span bytes, const ProgressFunction& progress) {
   const FormatCodec* codec = codecOfIntegers(bytes);
   if (!codec) {
-    MIRRORBALL_TRY(decoded, decodeByMagic(bytes, progress));
+    MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {.progress = progress}));
     return std::move(decoded.image);
   }
   if (codec->decode_codes) {
@@ -139,13 +139,13 @@ Result<Bytes> readImageFile(const std::filesystem::path& path) {
   return readFile(path);
 }
 
-Result<DecodedImage> readImage(const std::filesystem::path& path) {
+Result<DecodedImage> readImage(const std::filesystem::path& path, const ImageReadOptions& options) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  return withName(path.string(), decodeImage(bytes));
+  return withName(path.string(), decodeImage(bytes, options));
 }
 
-Result<DecodedImage> decodeImage(Span bytes, const ProgressFunction& progress) {
-  return withinMemory<DecodedImage>([&] { return decodeByMagic(bytes, progress); });
+Result<DecodedImage> decodeImage(Span bytes, const ImageReadOptions& options) {
+  return withinMemory<DecodedImage>([&] { return decodeByMagic(bytes, options); });
 }
 
 bool isImage(Span bytes) { return formatBegunBy(bytes).has_value(); }

@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/progress.h"
@@ -34,6 +37,14 @@ enum class GainMapUse {
   lost,     ///< the file says that it has one, and has lost it: the image is the picture alone
 };
 
+/// The part of a larger picture that a file holds: OpenEXR's data window in its display window, or a cropped panorama.
+struct PictureWindow {
+  glm::ivec2 whole{0};  ///< size of the larger picture [texels]
+  glm::ivec2 corner{
+      0};  ///< where in it the upper left texel lies; negative where the file reaches beyond it (overscan)
+  std::string source = {};  ///< what says so: "its display window", "GPano"
+};
+
 /// An image as it comes from a file.
 struct DecodedImage {
   Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
@@ -41,6 +52,17 @@ struct DecodedImage {
   std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
   GainMapUse gain_map = GainMapUse::none;
+  std::optional<PictureWindow> window = {};  ///< where the image is a part of a larger picture, or more than it
+  std::vector<std::string> layers = {};    ///< pictures to choose from (ImageReadOptions::layer), if there are several
+  std::string layer = {};                  ///< the one of them that was read
+  std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
+};
+
+/// How to read an image's file.
+struct ImageReadOptions {
+  std::string layer =
+      {};  ///< of a file of several pictures, the one to read (DecodedImage::layers); empty: the picture
+  ProgressFunction progress = {};  ///< told by OpenEXR and TIFF, which take seconds for large compressed pictures
 };
 
 /// What travels in an OpenEXR file beside its image: "albedo.R", "normal.X".
@@ -70,15 +92,12 @@ Result<Bytes> readImageFile(const std::filesystem::path& path);
 /// sRGB unless a PNG states another curve; floats are linear light, and so is a JPEG with a gain map. Of a texture with
 /// one face, the largest level is read. NaN and infinity are kept: callers that need light check with findNonFinite.
 ///
-/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (also a format that the
-///          build lacks)
-Result<DecodedImage> readImage(const std::filesystem::path& path);
+/// errors   not_found (also no layer of that name; lists them); io; bad_file (what is wrong and at which byte); too_large;
+///          unsupported (also a format that the build lacks); interrupted, when the progress says so
+Result<DecodedImage> readImage(const std::filesystem::path& path, const ImageReadOptions& options = {});
 
 /// The same from memory.
-///
-/// errors   also interrupted, when `progress` says so: for OpenEXR and TIFF, which take seconds for large compressed
-///          pictures
-Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Whether the bytes begin as one of the files that decodeImage takes, or names where the build lacks their format.
 bool isImage(std::span<const std::uint8_t> bytes);

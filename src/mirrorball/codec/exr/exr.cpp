@@ -68,7 +68,7 @@ Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Ima
   return rows.result();
 }
 
-Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) {
+Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size()));
   MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes)));
   MIRRORBALL_TRY_VOID(checkImageMemory(part.width(), part.height(), part.channels()));
@@ -77,7 +77,7 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ProgressF
   if (part.hasChroma())
     readChroma(bytes, part, decoded.image);
   else
-    MIRRORBALL_TRY_VOID(readRows(part, progress, decoded.image));
+    MIRRORBALL_TRY_VOID(readRows(part, options.progress, decoded.image));
   convertToRec709(decoded.image, part.primaries());
   decoded.metadata = part.metadata();
   decoded.format = part.describe();
@@ -168,8 +168,8 @@ Bytes encode(const Image& image, const ImageWriteOptions& options) {
 
 }  // namespace
 
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) {
-  return decodingExr<DecodedImage>([&] { return decode(bytes, progress); });
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) {
+  return decodingExr<DecodedImage>([&] { return decode(bytes, options); });
 }
 
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options) {

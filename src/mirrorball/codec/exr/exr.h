@@ -16,8 +16,8 @@ namespace mirrorball {
 /// ("layer.R"). Chromaticities other than Rec.709's are converted. Alpha is premultiplied.
 ///
 /// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no colour,
-///          deep data); interrupted (when `progress` says so)
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+///          deep data); interrupted (when the progress says so)
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Encodes 1 (Y), 3 or 4 channels, and layers beside them, as scan lines with ZIP compression. Colours' primaries are
 /// stated. NaN and infinity are kept; with `half`, finite values beyond ±65504 become ±65504.

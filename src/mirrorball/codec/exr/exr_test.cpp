@@ -201,11 +201,11 @@ TEST(Exr, RealFileWithDwab) {
 TEST(Exr, StopsWhenItIsTold) {
   const Bytes file = *encodeExr(Image(8, 1000, 3, 1.0f), {});
   std::vector<std::size_t> told;
-  const auto stopped = decodeExr(file, [&](std::size_t done, std::size_t total) {
-    EXPECT_EQ(total, 1000u);
-    told.push_back(done);
-    return done < 512;
-  });
+  const auto stopped = decodeExr(file, {.progress = [&](std::size_t done, std::size_t total) {
+                                   EXPECT_EQ(total, 1000u);
+                                   told.push_back(done);
+                                   return done < 512;
+                                 }});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
   EXPECT_EQ(told, (std::vector<std::size_t>{256, 512}));

@@ -164,7 +164,7 @@ Result<CodedPicture> decodeAvifCodes(Span bytes) {
 }
 
 FormatCodec avifCodec() {
-  return {.decode = withoutProgress<decodeAvif>, .decode_texture = decodeAvifTexture, .decode_codes = decodeAvifCodes};
+  return {.decode = withoutOptions<decodeAvif>, .decode_texture = decodeAvifTexture, .decode_codes = decodeAvifCodes};
 }
 
 }  // namespace mirrorball

@@ -310,7 +310,7 @@ Result<Bytes> encodeJpegWithGainMap(const Image8& picture, const Image& light, c
 }
 
 FormatCodec jpegCodec() {
-  return {.decode = withoutProgress<decodeJpeg>,
+  return {.decode = withoutOptions<decodeJpeg>,
           .decode_texture = decodeJpegTexture,
           .encode_picture = [](const Image8& picture, const Metadata& metadata,
                                OutputPrimaries) { return encodeJpeg(picture, metadata); },

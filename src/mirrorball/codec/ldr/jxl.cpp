@@ -199,7 +199,7 @@ Result<CodedPicture> decodeJxlCodes(Span bytes) {
 }
 
 FormatCodec jxlCodec() {
-  return {.decode = withoutProgress<decodeJxl>,
+  return {.decode = withoutOptions<decodeJxl>,
           .decode_texture = decodeJxlTexture,
           .decode_codes = decodeJxlCodes,
           .holds_integers = jxlHoldsIntegers};

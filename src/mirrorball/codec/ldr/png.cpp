@@ -325,7 +325,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputP
 }
 
 FormatCodec pngCodec() {
-  return {.decode = withoutProgress<decodePng>,
+  return {.decode = withoutOptions<decodePng>,
           .decode_texture = decodePngTexture,
           .decode_codes = decodePngCodes,
           .encode_picture = encodePng};

@@ -84,6 +84,6 @@ Result<Image8> decodeWebpTexture(Span bytes) {
   return readWebpPicture(bytes, true, features);
 }
 
-FormatCodec webpCodec() { return {.decode = withoutProgress<decodeWebp>, .decode_texture = decodeWebpTexture}; }
+FormatCodec webpCodec() { return {.decode = withoutOptions<decodeWebp>, .decode_texture = decodeWebpTexture}; }
 
 }  // namespace mirrorball

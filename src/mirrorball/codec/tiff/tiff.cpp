@@ -204,15 +204,15 @@ std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
 
 }  // namespace
 
-Result<DecodedImage> decodeTiff(Span bytes, const ProgressFunction& progress) {
+Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   Image light;
   if (layout.is_float) {
-    MIRRORBALL_TRY(floats, readLight(file, layout, progress));
+    MIRRORBALL_TRY(floats, readLight(file, layout, options.progress));
     light = std::move(floats);
   } else {
-    MIRRORBALL_TRY(picture, readPicture(file, layout, progress));
+    MIRRORBALL_TRY(picture, readPicture(file, layout, options.progress));
     light = lightOf(picture, layout.profile.curve);
   }
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);

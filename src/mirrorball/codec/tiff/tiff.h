@@ -24,7 +24,7 @@ namespace mirrorball {
 ///          interrupted
 /// from     Adobe, "TIFF Revision 6.0" (1992); G. W. Larson, "LogLuv Encoding for Full Gamut, High Dynamic Range
 ///          Images" (1998)
-Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Decodes a TIFF of integers to 8-bit RGBA as stored, more bits rounded.
 ///

@@ -341,7 +341,7 @@ TEST(Tiff, DecodingCanBeInterrupted) {
   const Bytes bytes = tiffFile({}, tiffSamples({}));
   std::size_t asked = 0;
   const auto stop = [&](std::size_t, std::size_t) { return ++asked < 2; };
-  const auto result = decodeTiff(bytes, stop);
+  const auto result = decodeTiff(bytes, {.progress = stop});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::interrupted);
 }

@@ -152,9 +152,10 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   Metadata metadata;
   NonFinite bad;
   bool lacks_gain_map = false;
+  std::vector<std::string> oddities;
   for (int slot = 0; slot < 6; ++slot) {
     const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
-    MIRRORBALL_TRY(decoded, readImage(path));
+    MIRRORBALL_TRY(decoded, readImage(path, {.layer = options.from.layer}));
     MIRRORBALL_TRY(bad_here, withName(path, checkNonFinite(decoded.image, options)));
     if (slot == 0) {
       metadata = std::move(decoded.metadata);
@@ -166,10 +167,13 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     format = decoded.format;
     color = decoded.color;
     lacks_gain_map = lacks_gain_map || decoded.gain_map == GainMapUse::lost;
+    for (const std::string& oddity : decoded.oddities)
+      oddities.push_back(fs::path(path).filename().string() + " " + oddity);
   }
   MIRRORBALL_TRY(loaded, withName(name, cubeOf(std::move(images), std::move(format), std::move(color),
                                                std::move(metadata), std::move(recognition), bad, options)));
   loaded.lacks_gain_map = lacks_gain_map;
+  loaded.oddities = std::move(oddities);
   loaded.files.assign(files.paths.begin(), files.paths.end());
   return loaded;
 }
@@ -199,7 +203,11 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoa
                            .bad_texels = bad,
                            .metadata = std::move(decoded.metadata),
                            .doubt = std::move(doubt),
-                           .lacks_gain_map = decoded.gain_map == GainMapUse::lost};
+                           .lacks_gain_map = decoded.gain_map == GainMapUse::lost,
+                           .window = std::move(decoded.window),
+                           .layers = std::move(decoded.layers),
+                           .layer = std::move(decoded.layer),
+                           .oddities = std::move(decoded.oddities)};
 }
 
 /// "9 mip levels, the first of 2 layers": what else a texture has.
@@ -235,7 +243,7 @@ Result<LoadedEnvironment> loadPictureTexture(DecodedImageSet texture, const Envi
 Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes, const EnvironmentLoadOptions& options,
                                             const ProgressFunction& progress) {
   if (!isImageSet(bytes)) {
-    MIRRORBALL_TRY(decoded, decodeImage(bytes, progress));
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, {.layer = options.from.layer, .progress = progress}));
     return loadPicture(std::move(decoded), options);
   }
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
@@ -353,6 +361,7 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
 }
 
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
+  for (const std::string& oddity : loaded.oddities) observer.tell(RemarkKind::file_odd, loaded.name + ": " + oddity);
   if (!loaded.doubt.message.empty())
     observer.tell(RemarkKind::form_doubted, loaded.name + ": " + loaded.doubt.message,
                   join(loaded.doubt.other_forms, "|"));

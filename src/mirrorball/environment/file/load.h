@@ -50,6 +50,10 @@ struct LoadedEnvironment {
   Metadata metadata = {};                       ///< what the file says of itself; of six files the first
   FormDoubt doubt = {};                         ///< of the form that was recognised
   bool lacks_gain_map = false;                  ///< that its file says it has (GainMapUse::lost)
+  std::optional<PictureWindow> window = {};     ///< the part of the map that the file holds, if not all of it
+  std::vector<std::string> layers = {};         ///< pictures in the file to choose from, if there are several
+  std::string layer = {};                       ///< the one of them that was read
+  std::vector<std::string> oddities = {};       ///< DecodedImage::oddities
   int levels = 1;                               ///< mip levels that its file holds, the map itself included
 
   /// Can be used wherever an environment is wanted: by reference, or, when it is not needed any more, by moving its
@@ -70,8 +74,8 @@ struct LoadedEnvironment {
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
 
-/// Remarks what speaks against the form in which a map was taken, that its file lost a gain map, and how much light its
-/// limit took.
+/// Remarks what is unusual in its file, what speaks against the form in which a map was taken, that its file lost a gain
+/// map, and how much light its limit took.
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer);
 
 /// The six files of a cube that the name of one of them stands for, if most of them exist.

@@ -16,6 +16,8 @@ struct FormHint {
   CubeArrangement arrangement = {};  ///< the rest as in MapForm
   SignedAxis centre = SignedAxis::plus_z;
   bool has_texels_on_edges = false;
+  std::string layer = {};                  ///< of a file of several pictures, the one that holds the map
+  std::optional<PictureWindow> crop = {};  ///< of a panorama: the part of it that the picture is
 };
 
 /// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout

@@ -37,11 +37,16 @@ Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& option
   return encodeHdr(light, options.metadata, options.primaries);
 }
 
+Result<std::unique_ptr<RowReader>> openHdrRowsOfPicture(FileReader file, const ImageReadOptions&) {
+  return openHdrRows(std::move(file));
+}
+
 constexpr FormatCodec kTexture{.decode = withoutOptions<decodeTexturePicture>};
 
 /// What needs no library.
 constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
-    {ImageFormatId::hdr, {.decode = withoutOptions<decodeHdr>, .open_rows = openHdrRows, .encode = encodeHdrLight}},
+    {ImageFormatId::hdr,
+     {.decode = withoutOptions<decodeHdr>, .open_rows = openHdrRowsOfPicture, .encode = encodeHdrLight}},
     {ImageFormatId::ktx2, kTexture},
     {ImageFormatId::ktx, kTexture},
     {ImageFormatId::dds, kTexture},

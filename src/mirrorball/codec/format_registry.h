@@ -24,7 +24,7 @@ struct FormatCodec {
   /// Whether a file holds integers, of a format whose files may also hold floats.
   bool (*holds_integers)(std::span<const std::uint8_t> bytes) = nullptr;
   /// For reading some rows at a time; see openRows.
-  Result<std::unique_ptr<RowReader>> (*open_rows)(FileReader file) = nullptr;
+  Result<std::unique_ptr<RowReader>> (*open_rows)(FileReader file, const ImageReadOptions& options) = nullptr;
   /// Linear light as it is.
   Result<Bytes> (*encode)(const Image& light, const ImageWriteOptions& options) = nullptr;
   /// Encoded pictures, of which the format keeps so many channels; primaries are some that it can state.

@@ -38,11 +38,18 @@ enum class GainMapUse {
 };
 
 /// The part of a larger picture that a file holds: OpenEXR's data window in its display window, or a cropped panorama.
+/// An image of the larger picture's size has been placed in it: black outside of the part, cut where it reaches beyond.
 struct PictureWindow {
-  glm::ivec2 whole{0};  ///< size of the larger picture [texels]
-  glm::ivec2 corner{
-      0};  ///< where in it the upper left texel lies; negative where the file reaches beyond it (overscan)
+  glm::ivec2 whole{0};   ///< size of the larger picture [texels]
+  glm::ivec2 corner{0};  ///< of the part's upper left texel in it; negative where the part reaches beyond it (overscan)
   std::string source = {};  ///< what says so: "its display window", "GPano"
+  glm::ivec2 size{0};       ///< of the part in the file [texels]; 0: as the image
+};
+
+/// One of the pictures in a file of several: a layer of OpenEXR.
+struct PictureLayer {
+  std::string name;      ///< for ImageReadOptions::layer; no two of a file are the same
+  std::string channels;  ///< as the file names them, without the layer: "R G B A", "X Y Z", "Z"
 };
 
 /// An image as it comes from a file.
@@ -53,15 +60,15 @@ struct DecodedImage {
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
   GainMapUse gain_map = GainMapUse::none;
   std::optional<PictureWindow> window = {};  ///< where the image is a part of a larger picture, or more than it
-  std::vector<std::string> layers = {};    ///< pictures to choose from (ImageReadOptions::layer), if there are several
-  std::string layer = {};                  ///< the one of them that was read
+  std::vector<PictureLayer> layers = {};     ///< to choose from (ImageReadOptions::layer), if there are several
+  std::string layer = {};                    ///< the one of them that was read
+  bool is_layer_guessed = false;             ///< several are pictures, and none was asked for: the first of `oddities`
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
 };
 
 /// How to read an image's file.
 struct ImageReadOptions {
-  std::string layer =
-      {};  ///< of a file of several pictures, the one to read (DecodedImage::layers); empty: the picture
+  std::string layer = {};          ///< of a file of several pictures (DecodedImage::layers); empty: the picture
   ProgressFunction progress = {};  ///< told by OpenEXR and TIFF, which take seconds for large compressed pictures
 };
 

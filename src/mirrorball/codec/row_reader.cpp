@@ -8,19 +8,20 @@
 namespace mirrorball {
 namespace {
 
-Result<std::unique_ptr<RowReader>> rowsOf(FileReader file) {
+Result<std::unique_ptr<RowReader>> rowsOf(FileReader file, const ImageReadOptions& options) {
   std::array<std::uint8_t, 16> magic{};
   MIRRORBALL_TRY(count, file.readAt(0, magic));
   const auto begin = std::span<const std::uint8_t>(magic).first(count);
   MIRRORBALL_TRY(codec, FormatRegistry::ofThisBuild().codecFor(begin));
-  return codec && codec->open_rows ? codec->open_rows(std::move(file)) : nullptr;
+  return codec && codec->open_rows ? codec->open_rows(std::move(file), options) : nullptr;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path) {
+Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path, const ImageReadOptions& options) {
   MIRRORBALL_TRY(file, FileReader::open(path));
-  return withName(path.string(), withinMemory<std::unique_ptr<RowReader>>([&] { return rowsOf(std::move(file)); }));
+  return withName(path.string(),
+                  withinMemory<std::unique_ptr<RowReader>>([&] { return rowsOf(std::move(file), options); }));
 }
 
 }  // namespace mirrorball

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/image_file.h"
@@ -20,6 +22,11 @@ class RowReader {
     int height = 0;
     int channels = 3;
     Metadata metadata = {};
+    std::optional<PictureWindow> window = {};  ///< this and the rest as in DecodedImage
+    std::vector<PictureLayer> layers = {};
+    std::string layer = {};
+    bool is_layer_guessed = false;
+    std::vector<std::string> oddities = {};
   };
 
   virtual ~RowReader() = default;
@@ -44,9 +51,10 @@ class RowReader {
 
 /// Opens a .exr or .hdr for reading by rows.
 ///
+/// options  of which the layer counts
 /// returns  nullptr if that is not possible and readImage is needed: other formats, luminance and chroma, Radiance
 ///          pictures whose lines do not run from the top down and from left to right
-/// errors   not_found; io; bad_file; too_large; unsupported
-Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path);
+/// errors   not_found (also no layer of that name; lists them); io; bad_file; too_large; unsupported
+Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path, const ImageReadOptions& options = {});
 
 }  // namespace mirrorball

@@ -41,7 +41,7 @@ class ExrRows : public RowReader {
 
 }  // namespace
 
-Result<std::unique_ptr<RowReader>> openExrRows(FileReader file) {
+Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const ImageReadOptions&) {
   // Headers that are longer than usual seem to end early.
   if (!checkBeginning(file, kUsualHeaderBytes)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMaxHeaderBytes));
   return decodingExr<std::unique_ptr<RowReader>>([&]() -> Result<std::unique_ptr<RowReader>> {

@@ -9,6 +9,6 @@
 namespace mirrorball {
 
 /// openRows for a file that begins as OpenEXR's do: scan lines or tiles.
-Result<std::unique_ptr<RowReader>> openExrRows(FileReader file);
+Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const ImageReadOptions& options = {});
 
 }  // namespace mirrorball

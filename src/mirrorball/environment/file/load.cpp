@@ -207,6 +207,7 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoa
                            .window = std::move(decoded.window),
                            .layers = std::move(decoded.layers),
                            .layer = std::move(decoded.layer),
+                           .is_layer_guessed = decoded.is_layer_guessed,
                            .oddities = std::move(decoded.oddities)};
 }
 

@@ -51,10 +51,11 @@ struct LoadedEnvironment {
   FormDoubt doubt = {};                         ///< of the form that was recognised
   bool lacks_gain_map = false;                  ///< that its file says it has (GainMapUse::lost)
   std::optional<PictureWindow> window = {};     ///< the part of the map that the file holds, if not all of it
-  std::vector<std::string> layers = {};         ///< pictures in the file to choose from, if there are several
-  std::string layer = {};                       ///< the one of them that was read
-  std::vector<std::string> oddities = {};       ///< DecodedImage::oddities
-  int levels = 1;                               ///< mip levels that its file holds, the map itself included
+  std::vector<PictureLayer> layers = {};        ///< DecodedImage's, and the two that follow
+  std::string layer = {};
+  bool is_layer_guessed = false;
+  std::vector<std::string> oddities = {};  ///< DecodedImage::oddities
+  int levels = 1;                          ///< mip levels that its file holds, the map itself included
 
   /// Can be used wherever an environment is wanted: by reference, or, when it is not needed any more, by moving its
   /// images.

@@ -57,6 +57,8 @@ Result<void> applyPreset(std::string_view name, FormHint& hint) {
 Result<void> applyWord(const std::string& word, FormHint& hint) {
   const std::string key = word.substr(0, word.find('='));
   const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
+  if (!hint.projection && !hint.layout)
+    return fail(ErrorCode::usage, "'" + excerpt(word) + "' needs the form before it, as in equirect:" + excerpt(word));
   if (key == "for") return applyPreset(value, hint);
   if ((key == "centre" || key == "center") && hint.projection == Projection::equirect) {
     MIRRORBALL_TRY(centre, centreNamed(value));
@@ -76,6 +78,20 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
   MIRRORBALL_TRY(arrangement, rearranged(hint.arrangement, word));
   hint.arrangement = arrangement;
   return {};
+}
+
+/// The value of the word that names a layer, which every form may have; the word is taken out.
+Result<std::string> takeLayer(std::vector<std::string>& words) {
+  constexpr std::string_view kLayerKey = "layer=";
+  std::string layer;
+  for (const std::string& word : words) {
+    if (!word.starts_with(kLayerKey)) continue;
+    if (word.size() == kLayerKey.size() || !layer.empty())
+      return fail(ErrorCode::usage, "'" + excerpt(word) + "' should name one layer, as in layer=rgba");
+    layer = word.substr(kLayerKey.size());
+  }
+  std::erase_if(words, [&](const std::string& word) { return word.starts_with(kLayerKey); });
+  return layer;
 }
 
 /// What OpenEXR's own attribute says: its registration, and a cube's faces in a strip downwards.
@@ -161,12 +177,18 @@ Result<Recognition> recognizeShape(int width, int height) {
 
 Result<FormHint> formHintNamed(std::string_view name) {
   if (name.empty()) return FormHint{};
-  const std::size_t colon = name.find(':');
-  const std::string_view base = name.substr(0, colon);
+  // Without a form there are words alone: "layer=rgba".
+  const bool has_form = name.substr(0, name.find(':')).find('=') == std::string_view::npos;
+  const std::string_view base = has_form ? name.substr(0, name.find(':')) : std::string_view();
+  std::vector<std::string> words;
+  if (base.size() < name.size()) words = split(name.substr(has_form ? base.size() + 1 : 0), ',');
   FormHint hint;
+  MIRRORBALL_TRY(layer, takeLayer(words));
+  hint.layer = std::move(layer);
   const auto projection = projectionNamed(base);
   if (projection && *projection == Projection::ball) {
-    MIRRORBALL_TRY(ball, projectionNamed(name));
+    MIRRORBALL_TRY(ball,
+                   projectionNamed(words.empty() ? std::string(base) : std::string(base) + ":" + join(words, ",")));
     hint.projection = ball;
     return hint;
   }
@@ -174,13 +196,12 @@ Result<FormHint> formHintNamed(std::string_view name) {
     hint.projection = *projection;
   } else if (const auto layout = cubeLayoutNamed(base)) {
     hint.layout = *layout;
-  } else {
+  } else if (has_form) {
     std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
     all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
     return tl::unexpected<Error>(unknownName("projection or cube layout", base, all, projectionAliases()));
   }
-  if (colon == std::string_view::npos) return hint;
-  for (const std::string& word : split(name.substr(colon + 1), ',')) MIRRORBALL_TRY_VOID(applyWord(word, hint));
+  for (const std::string& word : words) MIRRORBALL_TRY_VOID(applyWord(word, hint));
   return hint;
 }
 

@@ -26,6 +26,7 @@ struct FormHint {
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
 ///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
 ///   centre=AXIS          of an equirect: our direction in its middle, "+x", "-x", "+z" or "-z"
+///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several
 ///
 /// errors   usage: lists the names
 Result<FormHint> formHintNamed(std::string_view name);

@@ -175,5 +175,23 @@ TEST(Recognize, UnknownNamesListAll) {
                         "equal-area, eac, faces, hcross"));
 }
 
+TEST(FormHintNamed, NamesALayerWithAnyFormOrWithoutOne) {
+  EXPECT_EQ(formHintNamed("equirect:layer=rgba")->layer, "rgba");
+  EXPECT_EQ(formHintNamed("equirect:centre=-z,layer=ViewLayer.Combined")->centre, SignedAxis::minus_z);
+  EXPECT_EQ(formHintNamed("equirect:centre=-z,layer=ViewLayer.Combined")->layer, "ViewLayer.Combined");
+  EXPECT_EQ(formHintNamed("sphere:layer=C")->layer, "C");
+  EXPECT_EQ(formHintNamed("hcross:layer=C,as-seen")->layer, "C");
+  const auto ball = formHintNamed("ball:distance=7.5,layer=left");
+  EXPECT_EQ(ball->layer, "left");
+  EXPECT_EQ(ball->projection->ball_distance, 7.5f);
+  const auto alone = formHintNamed("layer=rgba");
+  EXPECT_EQ(alone->layer, "rgba");
+  EXPECT_FALSE(alone->projection || alone->layout);
+  EXPECT_EQ(textOf(recognize(64, 32, {}, *alone)->form), "equirect") << "by its shape, as without a hint";
+  EXPECT_THAT(formHintNamed("layer=").error().message, HasSubstr("should name one layer"));
+  EXPECT_THAT(formHintNamed("equirect:layer=a,layer=b").error().message, HasSubstr("should name one layer"));
+  EXPECT_THAT(formHintNamed("layer=rgba,centre=-z").error().message, HasSubstr("needs the form before it"));
+}
+
 }  // namespace
 }  // namespace mirrorball

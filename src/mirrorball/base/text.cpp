@@ -14,6 +14,8 @@
 namespace mirrorball {
 namespace {
 
+constexpr std::string_view kWhiteSpace = " \t\v\f\r\n";
+
 /// Small letters, and '-' for '_': what is the same for indexOfName.
 std::string folded(std::string_view text) {
   std::string result(text);
@@ -119,6 +121,25 @@ std::optional<double> parseNumber(std::string_view text) {
   const bool is_too_small = errno == ERANGE && number == 0;
   if (end != terminated.c_str() + terminated.size() || is_too_small || !std::isfinite(number)) return {};
   return number;
+}
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(kWhiteSpace), text.size()));
+  return text.substr(0, text.find_last_not_of(kWhiteSpace) + 1);
+}
+
+std::string_view takeWord(std::string_view& text) {
+  text = trimmed(text);
+  const std::string_view word = text.substr(0, text.find_first_of(kWhiteSpace));
+  text = trimmed(text.substr(word.size()));
+  return word;
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

@@ -18,6 +18,18 @@ std::optional<double> parseNumber(std::string_view text);
 /// Splits at every `separator`; "a,,b" has three parts, "" has one.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// A text without white space at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// Takes the first word off a text, with the white space around it; empty where there is none.
+std::string_view takeWord(std::string_view& text);
+
+/// Small letters, of ASCII.
+std::string lowerCase(std::string_view text);
+
+/// With which some programs begin UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// "a, b, c"; with " or " before the last, "a, b or c".
 std::string join(std::span<const std::string_view> words, std::string_view separator = ", ",
                  std::optional<std::string_view> before_last = {});

@@ -18,6 +18,18 @@ TEST(ParseNumber, TakesWholeTextsOnly) {
     EXPECT_FALSE(parseNumber(wrong)) << wrong;
 }
 
+TEST(Text, WordsAreWhatStandsBetweenWhiteSpace) {
+  EXPECT_EQ(trimmed("\t a b \r\n"), "a b");
+  EXPECT_EQ(trimmed(" \n"), "");
+  std::string_view text = "  map_Kd \t a b.png ";
+  EXPECT_EQ(takeWord(text), "map_Kd");
+  EXPECT_EQ(text, "a b.png");
+  EXPECT_EQ(takeWord(text), "a");
+  EXPECT_EQ(takeWord(text), "b.png");
+  EXPECT_EQ(takeWord(text), "");
+  EXPECT_EQ(lowerCase("Room_PX.\xc3\x84"), "room_px.\xc3\x84");
+}
+
 TEST(Split, KeepsEmptyParts) {
   EXPECT_THAT(split("a,,b", ','), ElementsAre("a", "", "b"));
   EXPECT_THAT(split("", ','), ElementsAre(""));

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mirrorball/base/text.h"
+
 namespace mirrorball {
 
 inline constexpr std::string_view kXmlSpace = " \t\r\n";
@@ -14,12 +16,6 @@ inline constexpr std::string_view kXmlSpace = " \t\r\n";
 /// A text without the white space before it. It looks at that alone: a search may call it at each of its many hits.
 inline std::string_view withoutLeadingSpace(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kXmlSpace), text.size()));
-}
-
-/// A text without the white space around it.
-inline std::string_view trimmed(std::string_view text) {
-  const std::string_view rest = withoutLeadingSpace(text);
-  return rest.substr(0, rest.find_last_not_of(kXmlSpace) + 1);
 }
 
 /// The values of the properties of one namespace in an XMP packet: attributes, or elements that hold one value or a

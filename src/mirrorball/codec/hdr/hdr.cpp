@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
@@ -84,12 +83,7 @@ Bytes encodeLine(const Image& image, int y) {
 
 }  // namespace
 
-bool isHdr(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kMagics[] = {"#?RADIANCE", "#?RGBE"};
-  return std::any_of(std::begin(kMagics), std::end(kMagics), [&](std::string_view magic) {
-    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
-  });
-}
+bool isHdr(std::span<const std::uint8_t> bytes) { return beginsWithHdrHeader(bytes); }
 
 Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(header, parseHdrHeader(bytes));
@@ -98,8 +92,11 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0));
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
-  return DecodedImage{std::move(image), std::move(header.metadata), describe(header, index.form),
-                      describeColor(header)};
+  return DecodedImage{.image = std::move(image),
+                      .metadata = std::move(header.metadata),
+                      .format = describe(header, index.form),
+                      .color = describeColor(header),
+                      .oddities = std::move(header.oddities)};
 }
 
 Bytes encodeHdr(const Image& image, const Metadata& metadata, OutputPrimaries primaries) {

@@ -13,7 +13,11 @@ constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 16;
 class HdrRows : public RowReader {
  public:
   HdrRows(FileReader file, HdrHeader header)
-      : RowReader({file.name(), header.width, header.height, 3, header.metadata}),
+      : RowReader({.name = file.name(),
+                   .width = header.width,
+                   .height = header.height,
+                   .metadata = header.metadata,
+                   .oddities = header.oddities}),
         file_(std::move(file)),
         header_(std::move(header)),
         next_byte_(header_.size) {}

@@ -8,8 +8,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "formula/color.h"
+#include "mirrorball/environment/fill.h"
 #include "mirrorball/image/filter.h"
-#include "mirrorball/photo/fill.h"
 
 namespace mirrorball {
 namespace {

@@ -7,7 +7,7 @@
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
-#include "mirrorball/photo/fill.h"
+#include "mirrorball/environment/fill.h"
 #include "mirrorball/photo/find_ball.h"
 #include "mirrorball/photo/photo_testing.h"
 

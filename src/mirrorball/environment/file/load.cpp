@@ -12,7 +12,10 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
 #include "mirrorball/environment/cube/cube_edges.h"
+#include "mirrorball/environment/cube/face_reading.h"
+#include "mirrorball/environment/file/compass_heading.h"
 #include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/environment/file/picture_meaning.h"
 
 namespace mirrorball {
 namespace {
@@ -48,27 +51,15 @@ void add(const NonFinite& more, NonFinite& total) {
   total.count += more.count;
 }
 
-/// How six faces may lie other than by OpenGL's table, and still each in its own place. Mirrored, a whole cross goes on
-/// across its edges as before; in strips and files each face may be mirrored by itself.
-std::vector<CubeArrangement> otherArrangements(CubeLayout layout) {
+/// How six faces in one picture may lie, each in its own place: first by OpenGL's table. Mirrored, a whole cross goes on
+/// across its edges as before; in strips each face may be mirrored by itself.
+std::vector<CubeArrangement> arrangementsIn(CubeLayout layout) {
   constexpr std::array kPoles{SignedAxis::plus_y, SignedAxis::minus_y};
   constexpr std::array kBack{SignedAxis::minus_z};
   const CubeArrangement ours;
-  if (layout == CubeLayout::vcross) return {turned(ours, kBack)};
-  if (layout == CubeLayout::hcross) return {turned(ours, kBack), turned(ours, kPoles)};
-  return {asSeen(ours), turned(asSeen(ours), kPoles), turned(ours, kPoles)};
-}
-
-/// The arrangement in which a guessed cube's faces meet clearly best; without such a one, as it was guessed.
-CubeArrangement arrangementByEdges(const EnvironmentMap& map, const MapForm& form) {
-  CubeArrangement best = form.arrangement;
-  EdgeFit best_fit = edgeFit(map);
-  for (const CubeArrangement& other : otherArrangements(form.layout))
-    if (const EdgeFit fit = edgeFit(map, other); fit.meets() && fit.isClearlyBetterThan(best_fit)) {
-      best = other;
-      best_fit = fit;
-    }
-  return best;
+  if (layout == CubeLayout::vcross) return {ours, turned(ours, kBack)};
+  if (layout == CubeLayout::hcross) return {ours, turned(ours, kBack), turned(ours, kPoles)};
+  return {ours, asSeen(ours), turned(asSeen(ours), kPoles), turned(ours, kPoles)};
 }
 
 /// What is said of a cube whose faces do not meet.
@@ -94,12 +85,12 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
     return FormDoubt{};
   };
   MapForm form = recognition.form;
-  form.arrangement = arrangementByEdges(map, form);
+  const auto [arrangement, fit] = readByEdges(map, arrangementsIn(form.layout));
+  form.arrangement = arrangement;
   if (form.arrangement != recognition.form.arrangement) {
     MIRRORBALL_TRY(other, other_map(form));
     return take(form, std::move(other));
   }
-  const EdgeFit fit = edgeFit(map);
   if (fit.meets()) return FormDoubt{};
   if (form.layout == CubeLayout::hcross) {
     form.layout = CubeLayout::lecture;
@@ -109,20 +100,42 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
   return fit.jumps() ? doubtOf(recognition) : FormDoubt{};
 }
 
+/// Takes six images that do not say how they lie as their edges tell.
+///
+/// arrangements  that are possible: first that of `recognition`
+FormDoubt settleFaces(const EnvironmentMap& images, std::span<const CubeArrangement> arrangements,
+                      Recognition& recognition) {
+  const auto [arrangement, fit] = readByEdges(images, arrangements);
+  if (arrangement != recognition.form.arrangement) {
+    recognition.form.arrangement = arrangement;
+    recognition.told_by += ", and how its edges meet";
+  } else if (fit.jumps()) {
+    return doubtOf(recognition);
+  }
+  return {};
+}
+
 /// A cube whose six images are there.
+///
+/// is_numbered  as possibleArrangements has it
 Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::string color, Metadata metadata,
-                                 Recognition recognition, const NonFinite& bad, const EnvironmentLoadOptions& options) {
-  if (faceCount(recognition.form.projection) != 6)
+                                 Recognition recognition, const NonFinite& bad, const EnvironmentLoadOptions& options,
+                                 bool is_numbered = false) {
+  const Projection projection = recognition.form.projection;
+  if (faceCount(projection) != 6)
     return fail(ErrorCode::bad_shape,
-                "has the six faces of a cube, and a map of projection " +
-                    std::string(nameOf(recognition.form.projection)) + " is one picture",
+                "has the six faces of a cube, and a map of projection " + std::string(nameOf(projection)) +
+                    " is one picture",
                 FixHint::name_form_of_cube);
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
+  FormDoubt doubt;
+  if (recognition.is_guess) {
+    EnvironmentMap by_slots(projection, std::move(images));
+    doubt = settleFaces(by_slots, possibleArrangements(recognition.form.arrangement, is_numbered), recognition);
+    images = std::move(by_slots).takeImages();
+  }
   EnvironmentMap map = mapOfImages(std::move(images), recognition.form);
-  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
-                   return mapOfImages(imagesOf(map, recognition.form), form);
-                 }));
   return LoadedEnvironment{.environment = Environment(std::move(map)),
                            .format = std::move(format),
                            .color = std::move(color),
@@ -143,6 +156,25 @@ Result<void> checkFace(const Image& face, const Image& first) {
   return {};
 }
 
+/// What is said of six files that do not say that they are a cube, nor how they lie.
+///
+/// name     that of one of them, or of their folder
+FormDoubt doubtOfFaces(const std::string& name, const FaceFiles& files, const CubeArrangement& arrangement) {
+  const auto mirrored = mirrorReading(arrangement);
+  const std::string others = namesOf(files, true, name);
+  const bool is_one = std::find(files.paths.begin(), files.paths.end(), fs::path(name)) != files.paths.end();
+  FormDoubt doubt;
+  doubt.message = is_one ? "is read as one of the six faces of a cube, with " + others
+                         : "holds the six faces of a cube, " + others;
+  doubt.message += ", arranged as " + facesHintOf(arrangement);
+  if (mirrored) {
+    doubt.message += "; their edges meet in the mirrored world, too";
+    doubt.other_forms.push_back(facesHintOf(*mirrored));
+  }
+  if (is_one) doubt.other_forms.emplace_back("sphere");
+  return doubt;
+}
+
 Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
                                     const EnvironmentLoadOptions& options) {
   ImageSet images(1, 6);
@@ -160,6 +192,10 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     if (slot == 0) {
       metadata = std::move(decoded.metadata);
       recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
+      if (recognition.is_guess) {
+        MIRRORBALL_TRY(by_name, formHintNamed(readingOf(files.naming)));
+        recognition.form.arrangement = by_name.arrangement;
+      }
     }
     add(bad_here, bad);
     MIRRORBALL_TRY_VOID(withName(path, checkFace(decoded.image, slot == 0 ? decoded.image : images.at(0, 0))));
@@ -171,18 +207,26 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
       oddities.push_back(fs::path(path).filename().string() + " " + oddity);
   }
   MIRRORBALL_TRY(loaded, withName(name, cubeOf(std::move(images), std::move(format), std::move(color),
-                                               std::move(metadata), std::move(recognition), bad, options)));
+                                               std::move(metadata), std::move(recognition), bad, options,
+                                               isCommon(files.naming))));
+  if (loaded.recognition->is_guess && loaded.doubt.message.empty())
+    loaded.doubt = doubtOfFaces(name, files, loaded.recognition->form.arrangement);
   loaded.lacks_gain_map = lacks_gain_map;
   loaded.oddities = std::move(oddities);
   loaded.files.assign(files.paths.begin(), files.paths.end());
   return loaded;
 }
 
-Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoadOptions& options) {
+/// sphere   the Photo Sphere that its file says it is
+Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<PhotoSphere>& sphere,
+                                      const EnvironmentLoadOptions& options) {
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
-  MIRRORBALL_TRY(recognition, recognize(size.x, size.y, decoded.metadata, options.from));
+  MIRRORBALL_TRY(meaning, readMeaning(size, decoded.metadata, sphere, options.from));
+  Recognition& recognition = meaning.recognition;
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(decoded.image, options));
+  if (meaning.changesPicture() && options.repair) MIRRORBALL_TRY_VOID(repairNonFinite(decoded.image));
+  MIRRORBALL_TRY_VOID(completePanorama(meaning, options.from, decoded));
   const auto mapIn = [&](Image picture, const MapForm& form) -> Result<EnvironmentMap> {
     MIRRORBALL_TRY(images, imagesInPicture(std::move(picture), form));
     if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
@@ -195,6 +239,11 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoa
                    if (form.layout != recognition.form.layout) return mapIn(decoded.image, form);
                    return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
+  if (const auto& tilt = meaning.tilt) {
+    MIRRORBALL_TRY(level, levelled(std::move(map), tilt->pitch_deg, tilt->roll_deg, recognition.form.centre));
+    map = std::move(level);
+  }
+  decoded.oddities.insert(decoded.oddities.end(), meaning.oddities.begin(), meaning.oddities.end());
   return LoadedEnvironment{.environment = Environment(std::move(map)),
                            .format = decoded.format,
                            .color = decoded.color,
@@ -205,6 +254,7 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoa
                            .doubt = std::move(doubt),
                            .lacks_gain_map = decoded.gain_map == GainMapUse::lost,
                            .window = std::move(decoded.window),
+                           .is_levelled = meaning.tilt.has_value(),
                            .layers = std::move(decoded.layers),
                            .layer = std::move(decoded.layer),
                            .is_layer_guessed = decoded.is_layer_guessed,
@@ -229,8 +279,10 @@ Result<LoadedEnvironment> loadCubeTexture(DecodedImageSet texture, const Environ
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
   Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
-  return cubeOf(std::move(images), texture.format + restOf(texture.images), texture.color, std::move(texture.metadata),
-                std::move(recognition), bad, options);
+  MIRRORBALL_TRY(loaded, cubeOf(std::move(images), texture.format + restOf(texture.images), texture.color,
+                                std::move(texture.metadata), std::move(recognition), bad, options));
+  loaded.oddities = std::move(texture.oddities);
+  return loaded;
 }
 
 /// A texture of one face.
@@ -238,15 +290,17 @@ Result<LoadedEnvironment> loadPictureTexture(DecodedImageSet texture, const Envi
   std::string format = texture.format + restOf(texture.images);
   return loadPicture(
       {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
-      options);
+      std::nullopt, options);
 }
 
 Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes, const EnvironmentLoadOptions& options,
                                             const ProgressFunction& progress) {
   if (!isImageSet(bytes)) {
     MIRRORBALL_TRY(decoded, decodeImage(bytes, {.layer = options.from.layer, .progress = progress}));
-    return loadPicture(std::move(decoded), options);
+    return loadPicture(std::move(decoded), photoSphereIn(bytes), options);
   }
+  if (!options.from.layer.empty())
+    return fail(ErrorCode::not_found, "is a texture, and has no layer '" + excerpt(options.from.layer) + "'");
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
   const int levels = texture.images.levels();
   auto loaded = texture.images.faces() == 6 ? loadCubeTexture(std::move(texture), options)
@@ -261,6 +315,15 @@ Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoa
   MIRRORBALL_TRY(loaded, withName(path, decodeEnvironment(bytes, options, progress)));
   loaded.files = {path};
   return loaded;
+}
+
+void tellOddities(const std::string& name, const std::vector<std::string>& oddities, bool is_layer_guessed,
+                  const Observer& observer) {
+  for (const std::string& oddity : oddities) {
+    const bool is_of_layer = is_layer_guessed && &oddity == &oddities.front();
+    observer.tell(RemarkKind::file_odd,
+                  name + ": " + oddity + (is_of_layer ? "; {option:from} layer=NAME takes another" : ""));
+  }
 }
 
 bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }
@@ -330,6 +393,8 @@ Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, cons
   MIRRORBALL_TRY(texture, readImageSet(loaded.name));
   const int faces = texture.images.faces();
   if (faces != faceCount(own.projection) || hasDisc(own.projection) || own.has_texels_on_edges) return std::nullopt;
+  const Image& largest = texture.images.at(0, 0);
+  if (loaded.environment.map()->extent() != glm::ivec2(largest.width(), largest.height())) return std::nullopt;
   ImageSet levels(texture.images.levels(), faces);
   for (int level = 0; level < levels.levels(); ++level)
     for (int face = 0; face < faces; ++face) {
@@ -350,19 +415,27 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   if (options.repair || !options.light.areNone() || !fs::is_regular_file(name_or_path, status) ||
       faceFilesBeside(name_or_path))
     return std::nullopt;
-  MIRRORBALL_TRY(rows, openRows(name_or_path));
+  MIRRORBALL_TRY(rows, openRows(name_or_path, {.layer = options.from.layer}));
   if (!rows) return std::nullopt;
   const RowReader::Description& picture = rows->description();
-  MIRRORBALL_TRY(recognition,
-                 withName(name_or_path, recognize(picture.width, picture.height, picture.metadata, options.from)));
-  const MapForm& form = recognition.form;
-  if (form.projection != Projection::equirect || form.has_texels_on_edges) return std::nullopt;
+  MIRRORBALL_TRY(ends, readEnds(name_or_path));
+  MIRRORBALL_TRY(meaning, withName(name_or_path, readMeaning({picture.width, picture.height}, picture.metadata,
+                                                             photoSphereIn(ends), options.from)));
+  const MapForm& form = meaning.recognition.form;
+  if (form.projection != Projection::equirect || form.has_texels_on_edges || meaning.changesPicture() ||
+      options.from.rest)
+    return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
   return PanoramaRows{std::move(rows), picture_from_world};
 }
 
+void tellAbout(const PanoramaRows& panorama, const std::string& name, const Observer& observer) {
+  const RowReader::Description& picture = panorama.rows->description();
+  tellOddities(name, picture.oddities, picture.is_layer_guessed, observer);
+}
+
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
-  for (const std::string& oddity : loaded.oddities) observer.tell(RemarkKind::file_odd, loaded.name + ": " + oddity);
+  tellOddities(loaded.name, loaded.oddities, loaded.is_layer_guessed, observer);
   if (!loaded.doubt.message.empty())
     observer.tell(RemarkKind::form_doubted, loaded.name + ": " + loaded.doubt.message,
                   join(loaded.doubt.other_forms, "|"));

@@ -51,6 +51,7 @@ struct LoadedEnvironment {
   FormDoubt doubt = {};                         ///< of the form that was recognised
   bool lacks_gain_map = false;                  ///< that its file says it has (GainMapUse::lost)
   std::optional<PictureWindow> window = {};     ///< the part of the map that the file holds, if not all of it
+  bool is_levelled = false;                     ///< a panorama taken with the camera tilted: its up is ours now
   std::vector<PictureLayer> layers = {};        ///< DecodedImage's, and the two that follow
   std::string layer = {};
   bool is_layer_guessed = false;
@@ -105,9 +106,12 @@ struct PanoramaRows {
 /// Opens a panorama to be read by rows.
 ///
 /// returns  nothing if it must be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
-///          read by rows (openRows), and maps that are repaired, limited or resampled when they are loaded
+///          read by rows (openRows), and maps that are repaired, limited, resampled or completed when they are loaded
 /// errors   as loadEnvironment's
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options = {});
+
+/// Remarks what is unusual in its file.
+void tellAbout(const PanoramaRows& panorama, const std::string& name, const Observer& observer);
 
 }  // namespace mirrorball

@@ -25,8 +25,6 @@ bool isTable(const Metadata& metadata, std::string_view value) {
   return said != metadata.end() && said->second == value;
 }
 
-std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
 /// "4:3" of a layout.
 std::string proportionText(CubeLayout layout) {
   const glm::ivec2 cells = cellsOf(layout);
@@ -53,6 +51,51 @@ Result<void> applyPreset(std::string_view name, FormHint& hint) {
   return {};
 }
 
+/// Takes up one word about a panorama.
+Result<void> applyPanoramaWord(const std::string& word, const std::string& value, FormHint& hint) {
+  if (word.starts_with("centre=") || word.starts_with("center=")) {
+    MIRRORBALL_TRY(centre, centreNamed(value));
+    hint.centre = centre;
+  } else if (word == "crop=none") {
+    hint.is_whole = true;
+  } else if (word.starts_with("crop=") || word.starts_with("fov=")) {
+    MIRRORBALL_TRY(part, panoramaPartNamed(word));
+    hint.part = part;
+  } else if (word == "fill=smooth" || word == "fill=black") {
+    hint.rest = value == "smooth" ? PanoramaRest::smooth : PanoramaRest::black;
+  } else if (word == "level=no" || word == "level=yes") {
+    hint.stays_tilted = value == "no";
+  } else {
+    return fail(ErrorCode::usage,
+                "'" + excerpt(word) +
+                    "' says nothing of a map of projection equirect; for=PROGRAM, centre=AXIS, "
+                    "crop=X,Y,W,H/FULLWxFULLH or crop=none, fov=HxV, fill=smooth or fill=black, and level=no do");
+  }
+  return {};
+}
+
+/// Words with commas between. A number after a comma goes on with the word before it: "crop=0,256,2048,512/2048x1024".
+std::vector<std::string> wordsIn(std::string_view text) {
+  std::vector<std::string> words;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t digit = part.starts_with('-') ? 1 : 0;
+    if (!words.empty() && digit < part.size() && part[digit] >= '0' && part[digit] <= '9')
+      words.back() += "," + part;
+    else
+      words.push_back(part);
+  }
+  return words;
+}
+
+/// Refuses what words say against each other.
+Result<void> checkPanorama(const FormHint& hint) {
+  if (hint.is_whole && hint.part)
+    return fail(ErrorCode::usage, "crop=none says that the picture shows the whole panorama, and another word a part");
+  if (hint.has_texels_on_edges && (hint.part || hint.rest))
+    return fail(ErrorCode::usage, "a panorama with OpenEXR's texels is whole: leave crop, fov and fill out");
+  return {};
+}
+
 /// Takes up one word of those after the colon.
 Result<void> applyWord(const std::string& word, FormHint& hint) {
   const std::string key = word.substr(0, word.find('='));
@@ -60,16 +103,10 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
   if (!hint.projection && !hint.layout)
     return fail(ErrorCode::usage, "'" + excerpt(word) + "' needs the form before it, as in equirect:" + excerpt(word));
   if (key == "for") return applyPreset(value, hint);
-  if ((key == "centre" || key == "center") && hint.projection == Projection::equirect) {
-    MIRRORBALL_TRY(centre, centreNamed(value));
-    hint.centre = centre;
-    return {};
-  }
+  if (hint.projection == Projection::equirect) return applyPanoramaWord(word, value, hint);
   if (!isCube(hint))
     return fail(ErrorCode::usage, "'" + excerpt(word) + "' says nothing of a map of projection " +
-                                      std::string(nameOf(*hint.projection)) +
-                                      (*hint.projection == Projection::equirect ? "; for=PROGRAM and centre=AXIS do"
-                                                                                : ", which takes no parameters"));
+                                      std::string(nameOf(*hint.projection)) + ", which takes no parameters");
   if (key == "layout" && hint.projection) {
     MIRRORBALL_TRY(layout, cubeLayoutNamed(value));
     hint.layout = layout;
@@ -138,13 +175,35 @@ MapForm formWith(const FormHint& hint, Projection projection, CubeLayout layout)
   return {projection, layout, hint.arrangement, hint.centre, hint.has_texels_on_edges};
 }
 
+/// What to say of a picture that may be a part of a panorama.
+constexpr std::string_view kHowToNamePart =
+    "a part of a panorama is named by equirect:fov=HxV, in degrees around its middle, or "
+    "equirect:crop=X,Y,W,H/FULLWxFULLH";
+
+/// Whether a picture may be the panorama that a hint says it is, or its part.
+Result<void> checkPanoramaShape(const FormHint& hint, glm::ivec2 size) {
+  const bool is_right = hint.part ? heightOfWhole(size, *hint.part).has_value() : isNearlyWholePanorama(size);
+  if (is_right) return {};
+  if (!hint.part)
+    return fail(ErrorCode::bad_shape, "is " + sizeText(size) +
+                                          ", and a map of projection equirect is 2:1; crop or scale it, or " +
+                                          std::string(kHowToNamePart));
+  const glm::dvec2 extent = hint.part->end - hint.part->begin;
+  return fail(ErrorCode::bad_shape, "is " + sizeText(size) + ", and " + textOf(*hint.part) + " of a panorama are " +
+                                        formatNumber(2.0 * extent.x / extent.y) + ":1");
+}
+
 /// The form that a hint and the shape give together; the hint names a projection or a layout.
 Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
   MapForm form = formWith(hint, hint.projection.value_or(Projection::cube), CubeLayout::hcross);
   if (faceCount(form.projection) != 6) {
+    if (form.projection == Projection::equirect && !form.has_texels_on_edges) {
+      MIRRORBALL_TRY_VOID(checkPanoramaShape(hint, {width, height}));
+      return form;
+    }
     const bool is_double = form.projection == Projection::equirect || form.projection == Projection::paraboloid;
     if (width == (is_double ? 2 : 1) * height) return form;
-    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a map of projection " +
+    return fail(ErrorCode::bad_shape, "is " + sizeText({width, height}) + ", and a map of projection " +
                                           std::string(nameOf(form.projection)) +
                                           (is_double ? " is 2:1; crop or scale it" : " is square; crop it"));
   }
@@ -152,11 +211,11 @@ Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
   const auto layout = hint.layout ? hint.layout : layoutOfShape(width, height);
   if (!layout)
     return fail(ErrorCode::bad_shape,
-                "is " + sizeText(width, height) + ", which is no cube layout that is known (4:3 3:4 6:1 1:6 3:2)");
+                "is " + sizeText({width, height}) + ", which is no cube layout that is known (4:3 3:4 6:1 1:6 3:2)");
   form.layout = *layout;
   const glm::ivec2 cells = cellsOf(form.layout);
   if (width % cells.x != 0 || height % cells.y != 0 || width / cells.x != height / cells.y)
-    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and the cube layout " +
+    return fail(ErrorCode::bad_shape, "is " + sizeText({width, height}) + ", and the cube layout " +
                                           std::string(nameOf(form.layout)) + " is " + proportionText(form.layout));
   return form;
 }
@@ -166,10 +225,11 @@ Result<Recognition> recognizeShape(int width, int height) {
   if (width == height) return Recognition{{Projection::sphere}, "its shape, 1:1"};
   if (const auto layout = layoutOfShape(width, height))
     return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout), true};
+  if (isNearlyWholePanorama({width, height})) return Recognition{{Projection::equirect}, "its shape, nearly 2:1"};
   return fail(ErrorCode::bad_shape,
-              "is " + sizeText(width, height) +
-                  ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); "
-                  "crop it",
+              "is " + sizeText({width, height}) +
+                  ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); " +
+                  (width > height ? std::string(kHowToNamePart) + "; crop it" : "crop it"),
               FixHint::name_form);
 }
 
@@ -181,7 +241,7 @@ Result<FormHint> formHintNamed(std::string_view name) {
   const bool has_form = name.substr(0, name.find(':')).find('=') == std::string_view::npos;
   const std::string_view base = has_form ? name.substr(0, name.find(':')) : std::string_view();
   std::vector<std::string> words;
-  if (base.size() < name.size()) words = split(name.substr(has_form ? base.size() + 1 : 0), ',');
+  if (base.size() < name.size()) words = wordsIn(name.substr(has_form ? base.size() + 1 : 0));
   FormHint hint;
   MIRRORBALL_TRY(layer, takeLayer(words));
   hint.layer = std::move(layer);
@@ -202,6 +262,7 @@ Result<FormHint> formHintNamed(std::string_view name) {
     return tl::unexpected<Error>(unknownName("projection or cube layout", base, all, projectionAliases()));
   }
   for (const std::string& word : words) MIRRORBALL_TRY_VOID(applyWord(word, hint));
+  MIRRORBALL_TRY_VOID(checkPanorama(hint));
   return hint;
 }
 
@@ -249,6 +310,11 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
   }
   if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by, true};
   return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
+}
+
+bool statesForm(const Metadata& metadata) {
+  const auto stated = hintOfMetadata(metadata);
+  return !stated || stated->projection || stated->layout;
 }
 
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint) {

@@ -6,8 +6,15 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/cube/preset.h"
 #include "mirrorball/environment/file/map_form.h"
+#include "mirrorball/environment/file/panorama_part.h"
 
 namespace mirrorball {
+
+/// What becomes of the directions that a picture of a part of a panorama does not show.
+enum class PanoramaRest {
+  black,   ///< no light
+  smooth,  ///< the picture's light, continued from its edge (fillAround)
+};
 
 /// What the caller says of a map's form.
 struct FormHint {
@@ -16,8 +23,12 @@ struct FormHint {
   CubeArrangement arrangement = {};  ///< the rest as in MapForm
   SignedAxis centre = SignedAxis::plus_z;
   bool has_texels_on_edges = false;
-  std::string layer = {};                  ///< of a file of several pictures, the one that holds the map
-  std::optional<PictureWindow> crop = {};  ///< of a panorama: the part of it that the picture is
+  std::string layer = {};  ///< of a file of several pictures, the one that holds the map
+  // Of a panorama, the rest too.
+  std::optional<PanoramaPart> part = {};  ///< that the picture shows; nothing: what its file says
+  bool is_whole = false;                  ///< the picture shows all, whatever its file says
+  std::optional<PanoramaRest> rest = {};  ///< what becomes of the directions that it does not show; nothing: black
+  bool stays_tilted = false;              ///< it is not levelled where its file says how the camera was tilted
 };
 
 /// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout
@@ -25,7 +36,11 @@ struct FormHint {
 ///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
 ///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
-///   centre=AXIS          of an equirect: our direction in its middle, "+x", "-x", "+z" or "-z"
+///   centre=AXIS          of an equirect, and so are the next: our direction in its middle, "+x", "-x", "+z" or "-z"
+///   crop=X,Y,W,H/FULLWxFULLH   the part of it that the picture shows, in texels; "crop=none": all, whatever its file says
+///   fov=HxV              the same in degrees around its middle: "fov=360x90"
+///   fill=smooth, fill=black   what becomes of the rest
+///   level=no             it is not levelled where its file says how the camera was tilted
 ///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several
 ///
 /// errors   usage: lists the names
@@ -67,9 +82,13 @@ bool isRecognizedUnsaid(const MapForm& form);
 /// told_by  how it was recognised that they are six faces, if neither says more
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by);
 
+/// Whether a file's metadata says what map it holds, if not rightly.
+bool statesForm(const Metadata& metadata);
+
 /// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
-/// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be
-/// named.
+/// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles; nearly 2:1 equirect, see
+/// isNearlyWholePanorama). All other forms have to be named. Of a panorama, the picture may have another shape than 2:1:
+/// where it is a part, as the hint says, or nearly 2:1.
 ///
 /// errors   bad_shape: the shape fits no form, or not the named one; or, without a hint, the metadata says that it is
 ///          not a map

@@ -118,10 +118,37 @@ TEST(Recognize, TheHintMaySayHowAMapLies) {
   EXPECT_THAT(textFor("cube:for=blender", 64, 48), HasSubstr("Blender has no cube maps"));
   EXPECT_THAT(textFor("cube:for=unty", 64, 48), HasSubstr("did you mean 'unity'?"));
   EXPECT_THAT(textFor("cube:as-sen", 64, 48), HasSubstr("did you mean 'as-seen'?"));
-  EXPECT_THAT(textFor("equirect:as-seen", 64, 32), HasSubstr("for=PROGRAM and centre=AXIS do"));
+  EXPECT_THAT(textFor("equirect:as-seen", 64, 32), HasSubstr("for=PROGRAM, centre=AXIS, crop=X,Y,W,H"));
   EXPECT_THAT(textFor("equirect:centre=+y", 64, 32), HasSubstr("on the horizon"));
   EXPECT_THAT(textFor("angular:mirrored", 64, 64), HasSubstr("projection angular, which takes no parameters"));
   EXPECT_THAT(textFor("hcross:layout=vcross", 64, 48), HasSubstr("'layout=vcross'"));
+}
+
+// A number behind a comma belongs to the word before it.
+TEST(Recognize, TheHintMaySayWhichPartOfAPanoramaAPictureShows) {
+  const auto hint = formHintNamed("equirect:centre=-z,crop=0,64,512,128/512x256,fill=smooth,level=no");
+  ASSERT_TRUE(hint) << hint.error().message;
+  EXPECT_EQ(hint->centre, SignedAxis::minus_z);
+  ASSERT_TRUE(hint->part);
+  EXPECT_EQ(hint->part->end, glm::dvec2(1.0, 0.75));
+  EXPECT_EQ(hint->rest, PanoramaRest::smooth);
+  EXPECT_TRUE(hint->stays_tilted);
+  EXPECT_EQ(textOf(recognize(512, 128, {}, *hint)->form), "equirect, centred on -z");
+  EXPECT_TRUE(formHintNamed("equirect:crop=none")->is_whole);
+
+  const auto refused = [](std::string_view from) { return formHintNamed(from).error().message; };
+  EXPECT_THAT(refused("equirect:crop=none,fov=360x90"), HasSubstr("crop=none says"));
+  EXPECT_THAT(refused("equirect:for=openexr,fov=360x90"), HasSubstr("a panorama with OpenEXR's texels is whole"));
+  EXPECT_THAT(refused("equirect:fill=edge"), HasSubstr("fill=smooth or fill=black"));
+  EXPECT_THAT(refused("cube:fov=360x90"), HasSubstr("fov=360x90"));
+  EXPECT_THAT(recognize(512, 100, {}, *hint).error().message, HasSubstr("360 x 90 degrees of a panorama are 4:1"));
+  EXPECT_THAT(recognize(512, 128, {}, *formHintNamed("equirect")).error().message, HasSubstr("equirect:fov=HxV"));
+}
+
+TEST(Recognize, NearlyTwoToOneIsAPanorama) {
+  EXPECT_EQ(formOfShape(4096, 2047), "equirect by its shape, nearly 2:1");
+  EXPECT_EQ(formOfShape(8191, 4096), "equirect by its shape, nearly 2:1");
+  EXPECT_THAT(formOfShape(4096, 1024), HasSubstr("equirect:fov=HxV"));
 }
 
 TEST(Recognize, AFormThatIsNotOursIsReadBackFromItsMetadata) {

@@ -1,4 +1,4 @@
-#include "mirrorball/photo/fill.h"
+#include "mirrorball/environment/fill.h"
 
 #include <algorithm>
 #include <vector>
@@ -58,7 +58,7 @@ Result<EnvironmentMap> continueSmoothly(const KnownRadiance& known, int size) {
       if (!known(directionOf(face, size, glm::vec2(x, y) + step))) is_edge[index] = 1;
   });
   if (std::count(is_known.begin(), is_known.end(), 1) == 0)
-    return fail(ErrorCode::bad_shape, "no direction is seen in the photograph, so there is nothing to unwrap");
+    return fail(ErrorCode::bad_shape, "light is known from no direction, so there is nothing to continue");
 
   std::vector<EdgeLight> edge;
   for (std::size_t index = 0; index < is_edge.size(); ++index) {

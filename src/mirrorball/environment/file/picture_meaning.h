@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/file/photo_sphere.h"
+#include "mirrorball/environment/file/recognize.h"
+
+namespace mirrorball {
+
+/// How the camera stood that took a panorama, as in CompassHeading.
+struct CameraTilt {
+  double pitch_deg = 0.0;
+  double roll_deg = 0.0;
+};
+
+/// What a picture is meant as: which map, and of a panorama which part of it, taken how.
+struct PictureMeaning {
+  Recognition recognition;
+  std::optional<PanoramaPart> part = {};   ///< of a panorama, where its picture is not the whole in 2:1
+  std::optional<CameraTilt> tilt = {};     ///< that is to be undone
+  std::vector<std::string> oddities = {};  ///< DecodedImage's, of what was decided here
+
+  /// Whether the map is another picture than the file's.
+  bool changesPicture() const { return part || tilt; }
+};
+
+/// Decides by the hint, then by the file's own metadata, then by the Photo Sphere that the file says it is, then by the
+/// picture's shape.
+///
+/// sphere   of the file, if it is one
+/// errors   as recognize's; bad_shape: it is a Photo Sphere in another projection
+Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
+                                   const FormHint& hint);
+
+/// Makes the picture of a panorama that of the whole one: in its place, with what the hint says around it.
+///
+/// decoded  gets `window` where it was a part
+/// errors   as placedInPanorama's and fillAround's
+Result<void> completePanorama(const PictureMeaning& meaning, const FormHint& hint, DecodedImage& decoded);
+
+}  // namespace mirrorball

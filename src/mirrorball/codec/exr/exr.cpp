@@ -29,29 +29,32 @@ namespace mirrorball {
 namespace {
 
 /// Reads luminance and subsampled chroma through OpenEXR's own reconstruction filter, which works
-/// in half floats.
+/// in half floats; 0 where the file has no texels.
 void readChroma(std::span<const std::uint8_t> bytes, const ExrPart& part, Image& image) {
   ExrInput stream(bytes);
-  Imf::RgbaInputFile file(stream, part.layer());
-  const Imath::Box2i window = file.dataWindow();
+  const std::string& prefix = part.layer().prefix;
+  Imf::RgbaInputFile file(stream, prefix.substr(0, prefix.find_last_of('.')));
+  const Imath::Box2i& data = part.window().data;
+  const Imath::Box2i& picture = part.window().picture;
+  const int left = std::max(data.min.x, picture.min.x);
+  const int right = std::min(data.max.x, picture.max.x);
 
-  std::vector<Imf::Rgba> row(std::size_t(image.width()));
-  for (int y = 0; y < image.height(); ++y) {
-    const int line = window.min.y + y;
+  std::vector<Imf::Rgba> row(std::size_t(part.window().dataWidth()));
+  for (int line = std::max(data.min.y, picture.min.y); line <= std::min(data.max.y, picture.max.y); ++line) {
     // The frame's base is where texel (0, 0) would be; this slice's arithmetic avoids a pointer
     // outside the row.
     const Imf::Slice slice =
-        Imf::Slice::Make(Imf::HALF, row.data(), Imath::Box2i({window.min.x, line}, {window.max.x, line}),
-                         sizeof(Imf::Rgba), sizeof(Imf::Rgba) * row.size());
+        Imf::Slice::Make(Imf::HALF, row.data(), Imath::Box2i({data.min.x, line}, {data.max.x, line}), sizeof(Imf::Rgba),
+                         sizeof(Imf::Rgba) * row.size());
     file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(slice.base), 1, row.size());
     file.readPixels(line);
-    for (int x = 0; x < image.width(); ++x) {
-      const Imf::Rgba& from = row[std::size_t(x)];
-      float* to = image.texel(x, y);
+    for (int x = left; x <= right; ++x) {
+      const Imf::Rgba& from = row[std::size_t(x - data.min.x)];
+      float* to = image.texel(x - picture.min.x, line - picture.min.y);
       to[0] = from.r;
       to[1] = from.g;
       to[2] = from.b;
-      if (part.hasAlpha()) to[3] = from.a;
+      if (part.layer().has_alpha) to[3] = from.a;
     }
   }
 }
@@ -70,18 +73,21 @@ Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Ima
 
 Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size()));
-  MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes)));
+  MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes), bytes.size(), options.layer));
   MIRRORBALL_TRY_VOID(checkImageMemory(part.width(), part.height(), part.channels()));
   DecodedImage decoded;
-  decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
-  if (part.hasChroma())
+  if (part.hasChroma()) {
+    decoded.image = Image(part.width(), part.height(), part.channels());
     readChroma(bytes, part, decoded.image);
-  else
+  } else {
+    decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
     MIRRORBALL_TRY_VOID(readRows(part, options.progress, decoded.image));
+  }
   convertToRec709(decoded.image, part.primaries());
   decoded.metadata = part.metadata();
   decoded.format = part.describe();
   decoded.color = describeColor(kLinearLight, part.primaries(), decoded.image.channels());
+  part.tell(decoded);
   return decoded;
 }
 

@@ -10,13 +10,13 @@
 
 namespace mirrorball {
 
-/// Decodes an OpenEXR file: scan lines or tiles (the largest level), any compression and sample
-/// type. The image is the data window of the first part that has colour: R G B (A), else luminance
-/// and chroma, else Y (one channel; with A, four); else the same in the first layer that has them
-/// ("layer.R"). Chromaticities other than Rec.709's are converted. Alpha is premultiplied.
+/// Decodes an OpenEXR file: scan lines or tiles (the largest level), any compression and sample type. The image is the
+/// layer that the file means as its picture, or the one that is asked for (exr_layer.h), in the display window
+/// (exr_window.h): black outside of the data window. Numbers that are no light are read as they are. Chromaticities
+/// other than Rec.709's are converted. Alpha is premultiplied.
 ///
-/// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no colour,
-///          deep data); interrupted (when the progress says so)
+/// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no picture, deep data);
+///          not_found (no layer of that name); interrupted (when the progress says so)
 Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Encodes 1 (Y), 3 or 4 channels, and layers beside them, as scan lines with ZIP compression. Colours' primaries are

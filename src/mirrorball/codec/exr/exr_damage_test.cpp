@@ -18,19 +18,37 @@ Bytes scanLineExr(Imf::Compression compression, Imf::RgbaChannels channels) {
   return testing::foreignExr<Imf::RgbaOutputFile>(compression, channels);
 }
 
+/// Beyond its display window on the left and on top, and within it on the right and below.
+Bytes overscanExr() {
+  const Imf::Header header(Imath::Box2i({0, 0}, {29, 19}), Imath::Box2i({-4, -3}, {15, 8}));
+  return testing::foreignFile(header, gradient(20, 12, 3), {"R", "G", "B"});
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Exr, Damage,
-    ::testing::Values(DamagedFile{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }},
-                      DamagedFile{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
-                      DamagedFile{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
-                      DamagedFile{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
-                      DamagedFile{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
-                      DamagedFile{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
-                      DamagedFile{"ExrTiled",
-                                  [] {
-                                    return testing::foreignExr<Imf::TiledRgbaOutputFile>(
-                                        Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL);
-                                  }}),
+    ::testing::Values(
+        DamagedFile{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }},
+        DamagedFile{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
+        DamagedFile{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
+        DamagedFile{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
+        DamagedFile{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
+        DamagedFile{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
+        DamagedFile{"ExrTiled",
+                    [] {
+                      return testing::foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
+                                                                           Imf::ONE_LEVEL);
+                    }},
+        DamagedFile{
+            "ExrLayers",
+            [] {
+              return testing::constantFile(
+                  {{"AO.R", 1}, {"AO.G", 2}, {"AO.B", 3}, {"N.X", 4}, {"rgba.R", 5}, {"rgba.G", 6}, {"rgba.B", 7}});
+            }},
+        DamagedFile{"ExrParts",
+                    [] {
+                      return testing::constantParts({{"depth", {{"Z", 5}}}, {"rgba", {{"R", 1}, {"G", 2}, {"B", 3}}}});
+                    }},
+        DamagedFile{"ExrWindow", [] { return overscanExr(); }}),
     testing::nameOfDamaged);
 
 }  // namespace

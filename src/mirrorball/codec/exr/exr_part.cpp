@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <mutex>
-#include <optional>
 #include <string_view>
-#include <thread>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -25,108 +22,83 @@
 namespace mirrorball {
 namespace {
 
-/// Which channels of which part are the image.
-struct Selection {
-  int part = 0;
-  std::string layer;                  ///< with its final dot; empty for the plain channels
-  std::vector<std::string> channels;  ///< without the layer: Y; R G B; R G B A; Y A; Y RY BY
-};
-
-/// The channels `names` in `layer`, if all are there; "A" is added where there is one.
-std::optional<std::vector<std::string>> channelsOf(const Imf::ChannelList& list, const std::string& layer,
-                                                   std::vector<std::string> names, bool subsampled) {
-  const auto usable = [&](const std::string& channel) {
-    const Imf::Channel* found = list.findChannel(layer + channel);
-    return found && (subsampled || (found->xSampling == 1 && found->ySampling == 1));
-  };
-  if (!std::all_of(names.begin(), names.end(), usable)) return {};
-  if (usable("A")) names.emplace_back("A");
-  return names;
-}
-
-std::optional<Selection> selectInPart(const Imf::Header& header, int part) {
-  if (header.hasType() && Imf::isDeepData(header.type())) return {};
+ExrPartNames namesOf(const Imf::Header& header) {
+  ExrPartNames names;
+  if (header.hasName()) names.name = header.name();
+  if (header.hasView()) names.view = header.view();
+  if (Imf::hasMultiView(header)) names.views = Imf::multiView(header);
+  names.is_deep = header.hasType() && Imf::isDeepData(header.type());
   const Imf::ChannelList& list = header.channels();
-  std::vector<std::string> layers{""};
-  for (auto channel = list.begin(); channel != list.end(); ++channel) {
-    const std::string_view channel_name = channel.name();
-    if (channel_name.ends_with(".R") || channel_name.ends_with(".Y"))
-      layers.emplace_back(channel_name.substr(0, channel_name.size() - 1));
-  }
-  for (const std::string& layer : layers) {
-    if (auto rgb = channelsOf(list, layer, {"R", "G", "B"}, false)) return Selection{part, layer, std::move(*rgb)};
-    // OpenEXR's reader of luminance and chroma takes a file's first part only.
-    if (part == 0)
-      if (auto chroma = channelsOf(list, layer, {"Y", "RY", "BY"}, true))
-        return Selection{part, layer, std::move(*chroma)};
-    if (auto grey = channelsOf(list, layer, {"Y"}, false)) return Selection{part, layer, std::move(*grey)};
-  }
-  return {};
-}
-
-/// For the message about a file without colour.
-std::string listChannels(const Imf::MultiPartInputFile& file) {
-  std::string names;
-  const Imf::ChannelList& list = file.header(0).channels();
   for (auto channel = list.begin(); channel != list.end(); ++channel)
-    names += (names.empty() ? "" : " ") + std::string(channel.name());
-  return names.empty() ? "none" : names;
-}
-
-Result<Selection> select(const Imf::MultiPartInputFile& file) {
-  for (int part = 0; part < file.parts(); ++part)
-    if (auto selection = selectInPart(file.header(part), part)) return std::move(*selection);
-  return fail(ErrorCode::unsupported, "has no colour that can be read (its channels: " + excerpt(listChannels(file)) +
-                                          "); R G B, Y, or Y RY BY are needed, and no deep data");
+    names.channels.push_back({channel.name(), channel.channel().xSampling != 1 || channel.channel().ySampling != 1});
+  return names;
 }
 
 }  // namespace
 
-Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream) {
+Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer) {
   useExrThreads();
   // A file whose table of offsets is unfinished is not mended: its writer did not get to the end.
   constexpr bool kMendOffsets = false;
-  auto file = std::make_unique<Imf::MultiPartInputFile>(*stream, Imf::globalThreadCount(), kMendOffsets);
-  MIRRORBALL_TRY(selection, select(*file));
-  if (!file->partComplete(selection.part))
-    return fail(ErrorCode::bad_file, "part of its texels is missing; the file was not written to its end");
   ExrPart part;
   part.stream_ = std::move(stream);
-  part.file_ = std::move(file);
-  part.part_ = selection.part;
-  part.layer_ = std::move(selection.layer);
-  part.channels_ = std::move(selection.channels);
+  part.file_ = std::make_unique<Imf::MultiPartInputFile>(*part.stream_, Imf::globalThreadCount(), kMendOffsets);
+  std::vector<ExrPartNames> names;
+  for (int i = 0; i < part.file_->parts(); ++i) names.push_back(namesOf(part.file_->header(i)));
+  part.layers_ = exrLayers(names);
+  MIRRORBALL_TRY(choice, chooseExrLayer(part.layers_, layer));
+  part.choice_ = std::move(choice);
+  if (!part.file_->partComplete(part.layer().part))
+    return fail(ErrorCode::bad_file, "part of its texels is missing; the file was not written to its end");
+  MIRRORBALL_TRY(window, exrWindow(part.header(), file_size));
+  part.window_ = std::move(window);
   return part;
 }
 
-int ExrPart::width() const { return header().dataWindow().max.x - header().dataWindow().min.x + 1; }
-
-int ExrPart::height() const { return header().dataWindow().max.y - header().dataWindow().min.y + 1; }
-
 int ExrPart::channels() const {
-  if (hasChroma()) return hasAlpha() ? 4 : 3;
-  return channels_.size() == 2 ? 4 : static_cast<int>(channels_.size());
+  const std::size_t colors = layer().channels.size() - (layer().has_alpha ? 1 : 0);
+  return colors == 1 && !layer().has_alpha ? 1 : layer().has_alpha ? 4 : 3;
 }
 
-void ExrPart::readRows(int first, int count, float* samples) const {
-  Imf::InputPart part(*file_, part_);
-  Imath::Box2i rows = header().dataWindow();
-  rows.min.y += first;
-  rows.max.y = rows.min.y + count - 1;
-  const bool grey_with_alpha = channels_.size() == 2;
-
+void ExrPart::readInto(float* texels, const Imath::Box2i& rows) const {
+  Imf::InputPart part(*file_, layer().part);
   const std::size_t texel_size = sizeof(float) * std::size_t(channels());
+  const std::size_t row_size = texel_size * std::size_t(rows.max.x - rows.min.x + 1);
   Imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < channels_.size(); ++c) {
-    const std::size_t target = grey_with_alpha && c == 1 ? 3 : c;
-    frame.insert(layer_ + channels_[c],
-                 Imf::Slice::Make(Imf::FLOAT, samples + target, rows, texel_size, texel_size * std::size_t(width())));
+  for (std::size_t c = 0; c < layer().channels.size(); ++c) {
+    const bool is_alpha = layer().has_alpha && c + 1 == layer().channels.size();
+    frame.insert(layer().prefix + layer().channels[c],
+                 Imf::Slice::Make(Imf::FLOAT, texels + (is_alpha ? 3 : c), rows, texel_size, row_size));
   }
   part.setFrameBuffer(frame);
   part.readPixels(rows.min.y, rows.max.y);
-  if (!grey_with_alpha) return;
-  const std::size_t end = std::size_t(width()) * std::size_t(count) * 4;
-  for (std::size_t i = 0; i < end; i += 4) samples[i + 1] = samples[i + 2] = samples[i];
+}
+
+void ExrPart::readRows(int first, int count, float* samples) const {
+  const auto texel_samples = static_cast<std::size_t>(channels());
+  const std::size_t row_samples = texel_samples * std::size_t(width());
+  // Neither what lies outside of the data window nor the third of two numbers is in the file.
+  if (!window_.isFull() || layer().channels.size() == 2) std::fill_n(samples, row_samples * std::size_t(count), 0.0f);
+  const int top = window_.picture.min.y + first;
+  Imath::Box2i rows({window_.picture.min.x, std::max(top, window_.data.min.y)},
+                    {window_.picture.max.x, std::min(top + count - 1, window_.data.max.y)});
+  if (rows.max.y < rows.min.y) return;
+  float* const begin = samples + row_samples * std::size_t(rows.min.y - top);
+  if (window_.hasOverscan()) {
+    const std::size_t data_samples = texel_samples * std::size_t(window_.dataWidth());
+    std::vector<float> data(data_samples * std::size_t(rows.max.y - rows.min.y + 1));
+    readInto(data.data(), {{window_.data.min.x, rows.min.y}, {window_.data.max.x, rows.max.y}});
+    const int left = std::max(window_.data.min.x, window_.picture.min.x);
+    const int right = std::min(window_.data.max.x, window_.picture.max.x);
+    for (int y = 0; y <= rows.max.y - rows.min.y; ++y)
+      std::copy_n(data.data() + data_samples * std::size_t(y) + texel_samples * std::size_t(left - window_.data.min.x),
+                  texel_samples * std::size_t(right - left + 1),
+                  begin + row_samples * std::size_t(y) + texel_samples * std::size_t(left - window_.picture.min.x));
+  } else {
+    readInto(begin, rows);
+  }
+  if (layer().kind != ExrLayerKind::grey || !layer().has_alpha) return;
+  for (std::size_t i = 0; i < row_samples * std::size_t(count); i += 4) samples[i + 1] = samples[i + 2] = samples[i];
 }
 
 Metadata ExrPart::metadata() const {
@@ -146,20 +118,20 @@ Metadata ExrPart::metadata() const {
 std::string ExrPart::describe() const {
   constexpr std::array<const char*, 10> kCompressions{"uncompressed", "RLE", "ZIPS", "ZIP",  "PIZ",
                                                       "PXR24",        "B44", "B44A", "DWAA", "DWAB"};
-  const Imf::Channel* channel = header().channels().findChannel(layer_ + channels_.front());
+  const Imf::Channel* channel = header().channels().findChannel(layer().prefix + layer().channels.front());
   const char* type = channel->type == Imf::HALF ? "half" : channel->type == Imf::FLOAT ? "float" : "uint";
   const auto compression = static_cast<std::size_t>(header().compression());
   std::string text = std::string("OpenEXR, ") + type + ", " +
                      (compression < kCompressions.size() ? kCompressions[compression] : "unknown");
   if (header().hasTileDescription()) text += ", tiled";
   if (hasChroma()) text += ", luminance and chroma";
-  if (!layer_.empty()) text += ", layer " + layer();
-  if (part_ > 0) text += ", part " + std::to_string(part_ + 1);
+  if (!layer().is_plain || layer().kind == ExrLayerKind::numbers) text += ", layer " + printable(layer().name);
+  if (layer().part > 0) text += ", part " + std::to_string(layer().part + 1);
   return text;
 }
 
 std::optional<Primaries> ExrPart::primaries() const {
-  if (!Imf::hasChromaticities(header())) return {};
+  if (!Imf::hasChromaticities(header()) || layer().kind == ExrLayerKind::numbers) return {};
   const Imf::Chromaticities& given = Imf::chromaticities(header());
   const auto xy = [](const Imath::V2f& point) { return glm::dvec2(point.x, point.y); };
   return Primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};

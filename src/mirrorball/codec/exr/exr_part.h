@@ -13,47 +13,62 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/codec/exr/exr_layer.h"
+#include "mirrorball/codec/exr/exr_window.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 
-/// The channels of an OpenEXR file that are its image: those of the first part that has colour, R G B (A), else
-/// luminance and chroma, else Y; in no layer or in the first that has them.
+/// The picture of an OpenEXR file: a layer of one of its parts (exr_layer.h), in its display window (exr_window.h).
 class ExrPart {
  public:
   /// Opens a file whose sizes have been checked (checkExrSizes). Errors in its structure throw, as OpenEXR does.
   ///
-  /// errors   unsupported (no colour); bad_file (part of the texels is missing)
-  static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream);
+  /// file_size  in bytes
+  /// layer      the name of the layer to read; empty: the picture
+  /// errors     unsupported (no picture); not_found (no such layer); bad_file (part of the texels is missing; windows)
+  static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer);
 
-  int width() const;
-  int height() const;
-  /// 1, 3 or 4; Y with A becomes 4.
+  int width() const { return window_.width(); }
+  int height() const { return window_.height(); }
+  /// 1, 3 or 4; Y with A becomes 4, two numbers 3.
   int channels() const;
   /// Luminance and subsampled chroma, which `readRows` does not read.
-  bool hasChroma() const { return channels_.size() >= 3 && channels_[1] == "RY"; }
-  bool hasAlpha() const { return channels_.back() == "A"; }
-  /// The layer's name, without a dot; empty for the plain channels.
-  std::string layer() const { return layer_.substr(0, layer_.find_last_of('.')); }
-  const Imf::Header& header() const { return file_->header(part_); }
+  bool hasChroma() const { return layer().kind == ExrLayerKind::chroma; }
+  const ExrLayer& layer() const { return layers_[choice_.index]; }
+  const ExrWindow& window() const { return window_; }
+  const Imf::Header& header() const { return file_->header(layer().part); }
 
   Metadata metadata() const;
-  /// What the file states of its colour, if anything.
+  /// What the file states of its colour, if anything, of a layer that has some.
   std::optional<Primaries> primaries() const;
-  /// "OpenEXR, half, DWAB"
+  /// "OpenEXR, half, DWAB, layer beauty"
   std::string describe() const;
+  /// Tells of its window and its layers; `To` is DecodedImage or RowReader::Description.
+  template <typename To>
+  void tell(To& to) const {
+    to.window = window_.told;
+    to.layer = layer().name;
+    if (layers_.size() > 1) to.layers = pictureLayers(layers_);
+    to.is_layer_guessed = choice_.is_guessed;
+    for (const std::string& oddity : {choice_.oddity, window_.oddity})
+      if (!oddity.empty()) to.oddities.push_back(oddity);
+  }
 
-  /// Reads rows as floats, alpha premultiplied, primaries as the file has them. Throws, as OpenEXR does.
+  /// Reads rows as floats, alpha premultiplied, primaries as the file has them; 0 where the file has no texels. Throws,
+  /// as OpenEXR does.
   ///
   /// samples  of `count` rows, `channels()` a texel
   void readRows(int first, int count, float* samples) const;
 
  private:
+  void readInto(float* texels, const Imath::Box2i& rows) const;
+
   std::unique_ptr<Imf::IStream> stream_;
   std::unique_ptr<Imf::MultiPartInputFile> file_;
-  int part_ = 0;
-  std::string layer_;                  // with its final dot
-  std::vector<std::string> channels_;  // without the layer: Y; R G B; R G B A; Y A; Y RY BY
+  std::vector<ExrLayer> layers_;
+  ExrLayerChoice choice_;
+  ExrWindow window_;
 };
 
 /// What OpenEXR says is wrong, in one line.

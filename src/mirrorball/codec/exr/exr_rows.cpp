@@ -41,14 +41,16 @@ class ExrRows : public RowReader {
 
 }  // namespace
 
-Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const ImageReadOptions&) {
+Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const ImageReadOptions& options) {
   // Headers that are longer than usual seem to end early.
   if (!checkBeginning(file, kUsualHeaderBytes)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMaxHeaderBytes));
   return decodingExr<std::unique_ptr<RowReader>>([&]() -> Result<std::unique_ptr<RowReader>> {
     const std::string name = file.name();
-    MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file))));
+    const std::uint64_t size = file.size();
+    MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file)), size, options.layer));
     if (part.hasChroma()) return nullptr;
     RowReader::Description description{name, part.width(), part.height(), part.channels(), part.metadata()};
+    part.tell(description);
     return std::make_unique<ExrRows>(std::move(description), std::move(part));
   });
 }

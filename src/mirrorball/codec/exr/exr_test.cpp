@@ -125,10 +125,10 @@ TEST(Exr, LayersAreWrittenBesideTheImage) {
   EXPECT_FALSE(writeImage("layers.hdr", image, {.metadata = {}, .layers = {{"normal", "XYZ", normals}}}));
 }
 
-TEST(Exr, AFileWithoutColourListsItsChannels) {
+TEST(Exr, AFileWithoutAPictureListsItsLayers) {
   const Error error = failureOfExr(foreignFile(Imf::Header(5, 4), gradient(5, 4, 2), {"Z", "id"}));
   EXPECT_EQ(error.code, ErrorCode::unsupported);
-  EXPECT_THAT(error.message, HasSubstr("Z id"));
+  EXPECT_THAT(error.message, HasSubstr("no picture among its layers: Z, id;"));
 }
 
 TEST(Exr, AFileThatWasNotWrittenToItsEndIsRefused) {

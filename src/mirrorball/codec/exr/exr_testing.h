@@ -8,7 +8,10 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfRgbaFile.h>
 #include <ImfTiledOutputFile.h>
 #include <ImfTiledRgbaFile.h>
@@ -92,6 +95,71 @@ Bytes foreignExr(Imf::Compression compression, Arguments... arguments) {
       file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
     else
       file.writePixels(10);
+  }
+  return stream.takeBytes();
+}
+
+/// A channel that has one value everywhere.
+struct ConstantChannel {
+  std::string name;
+  float value;
+};
+
+/// Such channels of 8 × 4 texels, which must outlive the frame.
+class ConstantChannels {
+ public:
+  explicit ConstantChannels(const std::vector<ConstantChannel>& channels) {
+    for (const ConstantChannel& channel : channels) {
+      header_.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+      images_.emplace_back(8, 4, 1, channel.value);
+    }
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      frame_.insert(channels[c].name, *frameOf(images_[c], {"Y"}, header_.dataWindow()).findSlice("Y"));
+  }
+
+  const Imf::Header& header() const { return header_; }
+  const Imf::FrameBuffer& frame() const { return frame_; }
+
+ private:
+  Imf::Header header_ = Imf::Header(8, 4);
+  std::vector<Image> images_;
+  Imf::FrameBuffer frame_;
+};
+
+/// A file of such channels.
+inline Bytes constantFile(const std::vector<ConstantChannel>& channels) {
+  const ConstantChannels constant(channels);
+  ExrOutput stream;
+  {
+    Imf::OutputFile file(stream, constant.header());
+    file.setFrameBuffer(constant.frame());
+    file.writePixels(4);
+  }
+  return stream.takeBytes();
+}
+
+/// A part of a file of several.
+struct ConstantPart {
+  std::string name;
+  std::vector<ConstantChannel> channels;
+};
+
+inline Bytes constantParts(const std::vector<ConstantPart>& parts) {
+  std::vector<ConstantChannels> constants;
+  std::vector<Imf::Header> headers;
+  for (const ConstantPart& part : parts) {
+    Imf::Header& header = headers.emplace_back(constants.emplace_back(part.channels).header());
+    header.setName(part.name);
+    header.setType(Imf::SCANLINEIMAGE);
+  }
+  ExrOutput stream;
+  {
+    Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
+    for (std::size_t i = 0; i < constants.size(); ++i) {
+      Imf::OutputPart part(file, static_cast<int>(i));
+      part.setFrameBuffer(constants[i].frame());
+      part.writePixels(4);
+    }
   }
   return stream.takeBytes();
 }

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/exr/exr_layer_rank.h"
 
 namespace mirrorball {
 namespace {
@@ -171,16 +170,13 @@ void rankLayer(const Views& views, const std::string& group, ExrLayer& layer) {
     else if (!word.empty())
       words.push_back(std::move(word));
   }
-  ExrNameRank rank = exrNameRank(words);
   layer.is_plain = words.empty();
-  if (layer.kind == ExrLayerKind::numbers)
-    rank = {ExrLayerRank::numbers};
-  else if (layer.kind == ExrLayerKind::grey && rank.rank == ExrLayerRank::plain)
-    rank = {ExrLayerRank::plain_grey};
-  else if (layer.kind == ExrLayerKind::grey && rank.rank == ExrLayerRank::unknown)
-    rank = {ExrLayerRank::aid};  // "Object_0.Y"
-  layer.rank = static_cast<int>(rank.rank);
-  layer.name_rank = rank.order;
+  if (layer.kind == ExrLayerKind::numbers) return;
+  layer.rank = exrNameRank(words);
+  if (layer.kind != ExrLayerKind::grey) return;
+  ExrLayerRank& rank = layer.rank.rank;
+  if (rank == ExrLayerRank::plain) rank = ExrLayerRank::plain_grey;
+  if (rank == ExrLayerRank::unknown) rank = ExrLayerRank::aid;  // a mask more likely than a picture: "Object_0.Y"
 }
 
 /// What a group is called: its prefix, with the part's name where that is not in it already.
@@ -198,8 +194,6 @@ void makeNamesDiffer(std::vector<ExrLayer>& layers) {
       layer.name += " #" + std::to_string(count);
 }
 
-bool isPicture(const ExrLayer& layer) { return layer.rank < static_cast<int>(ExrLayerRank::numbers); }
-
 /// "AO (R G B), Normal (X Y Z)", of the first ones.
 std::string listed(const std::vector<const ExrLayer*>& layers, bool with_channels) {
   constexpr std::size_t kMost = 12;
@@ -214,10 +208,10 @@ std::string listed(const std::vector<const ExrLayer*>& layers, bool with_channel
 }
 
 Result<std::size_t> layerNamed(std::span<const ExrLayer> layers, const std::string& wanted) {
-  for (const auto same : {+[](const std::string&a, const std::string&b) { return a == b; },
-                          +[](const std::string&a, const std::string&b) { return lowerCase(a) == lowerCase(b); }})
-    for (std::size_t i = 0; i < layers.size(); ++i)
-      if (same(layers[i].name, wanted)) return i;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (layers[i].name == wanted) return i;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (lowerCase(layers[i].name) == lowerCase(wanted)) return i;
   constexpr std::size_t kMostListed = 100;
   std::vector<std::string_view> names;
   for (const ExrLayer& layer : layers.first(std::min(layers.size(), kMostListed))) names.push_back(layer.name);
@@ -231,7 +225,7 @@ ExrLayerChoice guess(std::span<const ExrLayer> layers, std::size_t index) {
   const ExrLayer& taken = layers[index];
   std::vector<const ExrLayer*> pictures;
   for (const ExrLayer& layer : layers)
-    if (layer.rank < static_cast<int>(ExrLayerRank::aid)) pictures.push_back(&layer);
+    if (layer.rank.rank < ExrLayerRank::aid) pictures.push_back(&layer);
   ExrLayerChoice choice{.index = index};
   if (pictures.size() > 1) {
     choice.is_guessed = true;
@@ -274,14 +268,14 @@ Result<ExrLayerChoice> chooseExrLayer(std::span<const ExrLayer> layers, const st
     return ExrLayerChoice{.index = index};
   }
   const auto order = [](const ExrLayer& layer) {
-    return std::tuple(layer.rank, layer.name_rank, layer.kind == ExrLayerKind::grey, layer.view_rank);
+    return std::tuple(layer.rank.rank, layer.rank.order, layer.kind == ExrLayerKind::grey, layer.view_rank);
   };
   const auto best = std::min_element(layers.begin(), layers.end(),
                                      [&](const ExrLayer& a, const ExrLayer& b) { return order(a) < order(b); });
   if (layers.empty())
     return fail(ErrorCode::unsupported, "has no channels that can be read: all are deep or subsampled");
   const bool is_only = layers.size() == 1 && best->kind != ExrLayerKind::numbers;
-  if (!isPicture(*best) && !is_only) {
+  if (best->rank.rank == ExrLayerRank::numbers && !is_only) {
     std::vector<const ExrLayer*> all;
     for (const ExrLayer& layer : layers) all.push_back(&layer);
     return fail(ErrorCode::unsupported, "has no picture among its layers: " + listed(all, true) +

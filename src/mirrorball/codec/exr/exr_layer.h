@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/exr/exr_layer_rank.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
@@ -42,8 +43,7 @@ struct ExrLayer {
   std::vector<std::string> channels = {};  ///< without the prefix, in the image's order: R G B A; Y A; Y RY BY; X Y Z
   bool has_alpha = false;                  ///< the last of them is alpha
   bool is_plain = false;                   ///< neither its channels nor its part have a name before them
-  int rank = 0;                            ///< how little it is like the picture: exr_layer_rank.h
-  int name_rank = 0;                       ///< among names of one rank
+  ExrNameRank rank = {};                   ///< how much it is like the picture
   int view_rank = 0;                       ///< among the views of one layer
 };
 

@@ -19,7 +19,7 @@ enum class ExrLayerRank {
 
 /// A rank, and the order among names of it, less first.
 struct ExrNameRank {
-  ExrLayerRank rank;
+  ExrLayerRank rank = ExrLayerRank::numbers;
   int order = 0;
 };
 

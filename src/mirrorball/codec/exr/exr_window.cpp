@@ -7,8 +7,9 @@
 namespace mirrorball {
 namespace {
 
-/// The most empty texels that one byte of a real file stands for: 8 × 8 texels cut out of 8192 × 4096 have 70 000.
-constexpr std::uint64_t kMaxEmptyTexelsPerByte = 1 << 17;
+/// The most texels of a display window that one byte of a real file stands for: 8 × 8 texels of 4096 × 2048 have 17 000.
+/// More than this is a lie that would only cost memory.
+constexpr std::uint64_t kMaxTexelsPerByteOfWindow = 1 << 15;
 
 glm::ivec2 sizeOf(const Imath::Box2i& window) {
   return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
@@ -25,7 +26,7 @@ Result<void> checkDisplayWindow(const Imath::Box2i& window, std::uint64_t file_s
   const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
   const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
   MIRRORBALL_TRY_VOID(withName("its display window", checkDimensions(width, height)));
-  if (std::uint64_t(width * height) / kMaxEmptyTexelsPerByte > file_size)
+  if (std::uint64_t(width * height) / kMaxTexelsPerByteOfWindow > file_size)
     return fail(ErrorCode::bad_file, "says its display window is " + std::to_string(width) + "x" +
                                          std::to_string(height) + ", for which a file of " + std::to_string(file_size) +
                                          " bytes is too small; it is damaged");

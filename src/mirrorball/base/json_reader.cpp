@@ -13,12 +13,16 @@ namespace mirrorball {
 
 bool JsonReader::isArray() const { return value_ != nullptr && value_->is_array(); }
 
+bool JsonReader::isNumber() const { return value_ != nullptr && value_->is_number(); }
+
+bool JsonReader::isNull() const { return value_ != nullptr && value_->is_null(); }
+
 JsonReader JsonReader::operator[](const char* name) const {
   if (value_ != nullptr && !value_->is_object()) refuse("is no object");
   const nlohmann::json* member = nullptr;
   if (value_ != nullptr && value_->is_object()) {
     const auto found = value_->find(name);
-    if (found != value_->end()) member = &*found;
+    if (found != value_->end() && !found->is_null()) member = &*found;
   }
   return JsonReader(member, key_.empty() ? name : key_ + "." + name, *problem_);
 }

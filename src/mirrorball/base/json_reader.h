@@ -26,9 +26,11 @@ class JsonReader {
 
   bool exists() const { return value_ != nullptr; }
   bool isArray() const;
+  bool isNumber() const;
+  bool isNull() const;  ///< an element; a member that is null counts as absent
   const std::string& key() const { return key_; }
 
-  /// The member of an object; absent where the object is.
+  /// The member of an object; absent where the object is, and where it is null, as programs write who have no value.
   JsonReader operator[](const char* name) const;
 
   /// The member that "a.b.c" leads to.

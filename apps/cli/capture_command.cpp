@@ -1,5 +1,6 @@
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,13 +20,14 @@
 #include "mirrorball/render/settings/capture_options.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/model_stance.h"
+#include "mirrorball/scene/place_text.h"
 
 namespace mirrorball::cli {
 namespace {
 
 /// What `capture` is told beside its scene (scene_inputs.h), its files (map_output.h) and how things look.
 struct CaptureOptions {
-  std::vector<float> at;
+  std::optional<glm::dvec3> at;  ///< in the coordinates of the scene's file
   std::string to;
   int size = 0;
   float nearest = 0.0f;
@@ -33,6 +35,14 @@ struct CaptureOptions {
 
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
+
+constexpr ParsedField<CaptureOptions> kAt{
+    [](const CaptureOptions& options) { return options.at ? writtenPlace(*options.at) : std::string(); },
+    [](const OptionText& text, std::string_view written, CaptureOptions& options) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseExactNumbers(text, written));
+      options.at = glm::dvec3(numbers[0], numbers[1], numbers[2]);
+      return {};
+    }};
 
 const std::string kProjectionHelp = "projection of the map: " + join(projectionNames(), ", ", " or ") +
                                     "; without it, cube in " + writtenExtensions(Holds::texture, " and ") +
@@ -49,7 +59,7 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
       .help = "required: the point around which the light is captured",
       .group = "Capture",
       .is_daily = true},
-     &CaptureOptions::at},
+     kAt},
     {{.name = "near",
       .value = "DISTANCE",
       .unit = "world units",
@@ -94,9 +104,11 @@ Result<Projection> projectionOf(const CaptureRequest& request) {
   return isTexturePath(request.output.output) ? Projection::cube : Projection::equirect;
 }
 
-void remarkOnPlace(glm::vec3 place, const Scene& scene, const BoundingSphere& bounds) {
-  if (scene.empty()) return;
-  if (const auto doubt = doubtOfPlace(place, bounds)) remark(*doubt);
+/// Where the light is captured in a scene; says what is doubtful about it.
+glm::vec3 placeIn(const Scene& scene, const BoundingSphere& bounds, const CaptureRequest& request) {
+  const glm::vec3 place = bounds.inScene(*request.options.at);
+  if (const auto doubt = scene.empty() ? std::nullopt : doubtOfPlace(place, bounds)) remark(*doubt);
+  return place;
 }
 
 Result<void> writeMap(EnvironmentMap map, const CaptureRequest& request, const MapFile& output, StageClock& clock) {
@@ -110,8 +122,8 @@ Result<void> writeMap(EnvironmentMap map, const CaptureRequest& request, const M
 Result<void> captureReference(const CaptureRequest& request, const CaptureSettings& settings, const MapFile& output,
                               StageClock& clock) {
   MIRRORBALL_TRY(inputs, loadSceneFor(request.scene, request.materials, request.look, output.paths(), clock));
-  remarkOnPlace(settings.position, inputs.scene, boundingSphere(inputs.scene));
-  const TracedCapture capture{settings.position, settings.to, settings.size, settings.nearest.value_or(0.0f)};
+  const glm::vec3 place = placeIn(inputs.scene, boundingSphere(inputs.scene), request);
+  const TracedCapture capture{place, settings.to, settings.size, settings.nearest.value_or(0.0f)};
   MIRRORBALL_TRY(traced,
                  traceCapture(std::move(inputs), capture, request.look, request.reference, request.given, clock));
   MIRRORBALL_TRY_VOID(writeMap(std::move(traced.map), request, output, clock));
@@ -125,7 +137,7 @@ Result<void> captureDrawn(const CaptureRequest& request, CaptureSettings setting
                  loadInputs(request.scene, request.materials, settings.frame, request.given, output.paths(), clock));
   remarkOnIdleOptions(inputs.scene, settings.frame, request.given);
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
-  remarkOnPlace(settings.position, renderer.scene(), renderer.bounds());
+  settings.position = placeIn(renderer.scene(), renderer.bounds(), request);
   MIRRORBALL_TRY(map, clock.time("map: draw, read back, convert",
                                  [&] { return captureEnvironment(renderer, settings, progressBar("capture")); }));
   return writeMap(std::move(map), request, output, clock);
@@ -135,13 +147,12 @@ Result<void> capture(const CaptureRequest& request) {
   StageClock clock;
   const CaptureOptions& options = request.options;
   if (request.output.output.empty()) return fail(ErrorCode::usage, "capture needs an output: -o FILE");
-  if (options.at.empty()) return fail(ErrorCode::usage, "capture needs a place: --at X,Y,Z");
+  if (!options.at) return fail(ErrorCode::usage, "capture needs a place: --at X,Y,Z");
   MIRRORBALL_TRY_VOID(checkCapture(request.look, request.given));
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, mapFileFor(request.output, request.output.output, to));
-  CaptureSettings settings{.position = {options.at[0], options.at[1], options.at[2]},
-                           .to = to,
+  CaptureSettings settings{.to = to,
                            .size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to),
                            .frame = request.look};
   if (options.nearest > 0.0f) settings.nearest = options.nearest;

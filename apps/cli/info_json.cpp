@@ -101,6 +101,11 @@ void add(const ModelInfo& model, Json& json) {
   json["format"] = model.format;
   json["triangles"] = triangleCount(scene);
   json["center"] = arrayOf(bounds.center);
+  if (scene.origin != glm::dvec3(0.0)) {
+    const glm::dvec3 center = bounds.inFile(bounds.center);
+    json["center"] = {center.x, center.y, center.z};
+  }
+  json["origin"] = {scene.origin.x, scene.origin.y, scene.origin.z};
   json["radius"] = numberOf(double(bounds.radius));
   json["materials"] =
       arrayOfEach<Material>(scene.materials, [](const Material& material) -> Json { return material.name; });

@@ -145,6 +145,13 @@ std::string materialsText(const std::vector<MaterialFacts>& materials) {
   return text;
 }
 
+/// In the file's coordinates: far from their origin, with the digits that it takes there.
+std::string centerText(const BoundingSphere& bounds) {
+  if (bounds.origin == glm::dvec3(0.0)) return shortText(bounds.center);
+  const glm::dvec3 center = bounds.inFile(bounds.center);
+  return formatted("%.12g %.12g %.12g", center.x, center.y, center.z);
+}
+
 std::string textOf(const ModelInfo& model) {
   const Scene& scene = model.scene;
   const BoundingSphere bounds = boundingSphere(scene);
@@ -152,7 +159,7 @@ std::string textOf(const ModelInfo& model) {
   for (const Material& material : scene.materials) materials.push_back(nameOf(material));
   std::string text =
       line("format", model.format) + line("triangles", std::to_string(triangleCount(scene))) +
-      line("extent", "a ball about " + shortText(bounds.center) + " of radius " + shortText(double(bounds.radius))) +
+      line("extent", "a ball about " + centerText(bounds) + " of radius " + shortText(double(bounds.radius))) +
       line("size", shortText(boundingBox(scene).high - boundingBox(scene).low) + " along x, y and z");
   const auto list = [&](const char* name, const std::vector<std::string>& things) {
     if (!things.empty()) text += line(name, join(things));

@@ -89,7 +89,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
                              const PictureFiles& files, StageClock& clock) {
   const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
   const BoundingSphere still_bounds = renderer.bounds();
-  const glm::vec3 axis = settings.camera.target.value_or(still_bounds.center);
+  const glm::vec3 axis = settings.camera.target ? still_bounds.inScene(*settings.camera.target) : still_bounds.center;
   return renderEach(renderer, "turntable", files, clock, [&](std::size_t frame) -> Result<FrameSettings> {
     const float angle_deg = angleOf(frame, files.paths.size());
     const FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);

@@ -26,4 +26,18 @@ struct Box {
   }
 };
 
+/// The same of places whose numbers floats do not hold.
+struct DoubleBox {
+  glm::dvec3 low{INFINITY};
+  glm::dvec3 high{-INFINITY};
+
+  void include(glm::dvec3 place) {
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  bool isEmpty() const { return !(low.x <= high.x); }
+  glm::dvec3 center() const { return 0.5 * (low + high); }
+  Box rounded() const { return {glm::vec3(low), glm::vec3(high)}; }
+};
+
 }  // namespace mirrorball

@@ -21,6 +21,7 @@
 #include "mirrorball/scene/mesh_file/obj.h"
 #include "mirrorball/scene/mesh_file/ply.h"
 #include "mirrorball/scene/mesh_file/stl.h"
+#include "mirrorball/scene/model_origin.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/faceted.h"
 #include "mirrorball/scene/shapes/interreflection.h"
@@ -35,12 +36,6 @@ namespace {
 // Beyond them squares of distances overflow in a shader's floats, or are 0.
 constexpr float kLargestRadius = 1e15f;
 constexpr float kLeastRadius = 1e-15f;
-
-/// Whether a model is so far from the origin that the steps between floats are seen.
-bool isFarAway(const BoundingSphere& bounds) {
-  constexpr float kRadiiAway = 2e4f;
-  return glm::length(bounds.center) > kRadiiAway * bounds.radius;
-}
 
 Material doubleSided() {
   Material material;
@@ -260,13 +255,12 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
       read.error().fix_hint = FixHint::raise_memory;
     MIRRORBALL_TRY(decoded, std::move(read));
     findNormalZeros(decoded, name_or_path);
+    MIRRORBALL_TRY_VOID(withName(name_or_path, drawAboutMiddle(decoded)));
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");
-    else if (isFarAway(boundingSphere(scene)))
-      scene.warnings.push_back(name_or_path +
-                               ": lies so far from the origin that its numbers are coarse, and its picture may be "
-                               "blurred or doubled; move the model to the origin");
+    else if (const auto remark = remarkOnOrigin(scene))
+      scene.warnings.push_back(name_or_path + ": " + *remark);
     if (someFaceInwards(scene))
       scene.warnings.push_back(
           name_or_path +

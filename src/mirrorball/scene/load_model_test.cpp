@@ -123,6 +123,18 @@ TEST(LoadModel, RefusesWhatIsTooLargeToDraw) {
   EXPECT_THAT(scene.error().message, HasSubstr("scale the model down"));
 }
 
+TEST(LoadModel, TheFirstBytesCountMoreThanTheName) {
+  const std::string path = ::testing::TempDir() + "named_wrongly.obj";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  ASSERT_TRUE(writeFile(path, Bytes(ply.begin(), ply.end())));
+  const Result<Scene> scene = loadModel(path);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_THAT(scene->warnings, ::testing::ElementsAre(HasSubstr("is a PLY by its first bytes, and read so")));
+  EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+}
+
 TEST(LoadModel, TheFilesNameStandsInFrontOfAnErrorOnce) {
   constexpr std::pair<const char*, const char*> kDamaged[] = {
       {"bad.ply", "ply\nformat ascii 1.0\n"},
@@ -140,7 +152,7 @@ TEST(LoadModel, TheFilesNameStandsInFrontOfAnErrorOnce) {
   }
 }
 
-TEST(LoadModel, SaysWhereNumbersAreTooCoarseAndRefusesWhatIsTooSmall) {
+TEST(LoadModel, SaysWhereAModelIsFarAwayAndRefusesWhatIsTooSmall) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "placed.obj";
   const auto loaded = [&](const std::string& x, const std::string& size) {
     const std::string text = "v " + x + " 0 0\nv " + x + " " + size + " 0\nv " + x + " 0 " + size + "\nf 1 2 3\n";
@@ -149,8 +161,8 @@ TEST(LoadModel, SaysWhereNumbersAreTooCoarseAndRefusesWhatIsTooSmall) {
   };
   const auto far = loaded("1e6", "1");
   ASSERT_TRUE(far) << far.error().message;
-  EXPECT_THAT(far->warnings, ::testing::ElementsAre(HasSubstr("move the model to the origin")));
-  const auto near = loaded("1e3", "1");
+  EXPECT_THAT(far->warnings, ::testing::ElementsAre(HasSubstr("drawn about 1000000,")));
+  const auto near = loaded("50", "1");
   ASSERT_TRUE(near) << near.error().message;
   EXPECT_THAT(near->warnings, ::testing::IsEmpty());
   const auto tiny = loaded("0", "1e-18");

@@ -49,6 +49,7 @@ void standUpright(Scene& scene, UpAxis up) {
   const glm::mat4 y_from_z(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 0, 1));
   for (Instance& instance : scene.instances) instance.world_from_object = y_from_z * instance.world_from_object;
   scene.rig.world_from_roots = glm::dmat4(y_from_z) * scene.rig.world_from_roots;
+  scene.origin = glm::dmat3(glm::mat3(y_from_z)) * scene.origin;
   for (ModelCamera& camera : scene.cameras) camera.world_from_view = y_from_z * camera.world_from_view;
   for (ModelLight& light : scene.lights) {
     light.position = glm::vec3(y_from_z * glm::vec4(light.position, 1.0f));
@@ -56,26 +57,11 @@ void standUpright(Scene& scene, UpAxis up) {
   }
 }
 
-namespace {
-
-struct DoubleBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void include(glm::dvec3 position) {
-    low = glm::min(low, position);
-    high = glm::max(high, position);
-  }
-  Box rounded() const { return {glm::vec3(low), glm::vec3(high)}; }
-};
-
-DoubleBox exactBox(const Scene& scene) {
+DoubleBox boxOfPositions(const Scene& scene) {
   DoubleBox box;
   forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) { box.include(position); });
   return box;
 }
-
-}  // namespace
 
 std::vector<std::vector<PositionRun>> positionRuns(const Scene& scene) {
   constexpr std::size_t kLongest = 64;
@@ -93,7 +79,7 @@ std::vector<std::vector<PositionRun>> positionRuns(const Scene& scene) {
   return runs;
 }
 
-Box boundingBox(const Scene& scene) { return exactBox(scene).rounded(); }
+Box boundingBox(const Scene& scene) { return boxOfPositions(scene).rounded(); }
 
 Box boundingBox(const Scene& scene, const Instance& instance) {
   DoubleBox box;
@@ -102,10 +88,10 @@ Box boundingBox(const Scene& scene, const Instance& instance) {
 }
 
 BoundingSphere boundingSphere(const Scene& scene) {
-  const DoubleBox box = exactBox(scene);
-  if (!(box.low.x <= box.high.x)) return {};
+  const DoubleBox box = boxOfPositions(scene);
+  if (box.isEmpty()) return {.origin = scene.origin};
 
-  const glm::dvec3 center = 0.5 * (box.low + box.high);
+  const glm::dvec3 center = box.center();
   double squared_radius = 0.0;
   forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
     const glm::dvec3 away = position - center;
@@ -113,7 +99,7 @@ BoundingSphere boundingSphere(const Scene& scene) {
   });
   // A single point still needs a ball that a camera can stand off from.
   const double radius = squared_radius > 0.0 ? std::sqrt(squared_radius) : 1.0;
-  return {glm::vec3(center), std::max(static_cast<float>(radius), std::numeric_limits<float>::min())};
+  return {glm::vec3(center), std::max(static_cast<float>(radius), std::numeric_limits<float>::min()), scene.origin};
 }
 
 }  // namespace mirrorball

@@ -74,6 +74,10 @@ struct Instance {
 struct BoundingSphere {
   glm::vec3 center{0.0f};
   float radius = 1.0f;
+  glm::dvec3 origin{0.0};  ///< Scene::origin: places that options name are in the file's coordinates
+
+  glm::vec3 inScene(glm::dvec3 in_file) const { return glm::vec3(in_file - origin); }
+  glm::dvec3 inFile(glm::vec3 in_scene) const { return origin + glm::dvec3(in_scene); }
 };
 
 /// The objects that are seen, with their materials and textures, and what else a model's file has.
@@ -93,7 +97,13 @@ struct Scene {
   std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()
   std::vector<std::string> warnings;  ///< what was left out of a file, one line each
   std::vector<std::string> files;     ///< that were read beside the model's own
-  Rig rig;                            ///< its nodes, and what moves them; a scene made by code needs none: addNodes()
+  /// The place in the file's coordinates that is (0, 0, 0) here, after its turn upright: 0, but for a model that lies
+  /// far away from it (model_origin.h).
+  glm::dvec3 origin{0.0};
+  /// What the file's 32-bit vertices were rounded to, where they lie so far away that it may be seen [world units]; 0:
+  /// less.
+  double vertex_step = 0.0;
+  Rig rig;  ///< its nodes, and what moves them; a scene made by code needs none: addNodes()
 
   bool empty() const { return instances.empty(); }
 };

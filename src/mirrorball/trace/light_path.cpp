@@ -211,7 +211,7 @@ glm::vec3 Path::lightOfLamps(const PathVertex& vertex, const formula::Material& 
     const float distance = is_far ? INFINITY : glm::distance(lamp.position, place);
     light += shown * shareThatArrives(leavingRay(vertex, formula::towardsLamp(lamp, place)), distance);
   };
-  for (const PointLight& lamp : settings_.lights) add(lampOf(lamp), 1.0f);
+  for (const PointLight& lamp : settings_.lights) add(lampOf(lamp, world_.scene.origin), 1.0f);
   for (const ModelLight& lamp : of_model) add(lamp, settings_.light_intensity);
   return light;
 }

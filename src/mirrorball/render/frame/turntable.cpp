@@ -72,10 +72,10 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
       // All else turned the other way looks the same, and leaves the scene as it is.
       settings.camera.azimuth_deg -= angle_deg;
       settings.env_rotation_deg.x -= angle_deg;
-      const glm::vec3 axis = settings.camera.target.value_or(glm::vec3(0.0f));
+      const glm::dvec3 axis = settings.camera.target.value_or(glm::dvec3(0.0));
       const glm::mat4 back = glm::rotate(glm::mat4(1.0f), -glm::radians(angle_deg), glm::vec3(0, 1, 0));
       for (PointLight& light : settings.lights)
-        light.position = axis + glm::vec3(back * glm::vec4(light.position - axis, 0.0f));
+        light.position = axis + glm::dvec3(back * glm::vec4(light.position - axis, 0.0f));
       break;
     }
   }
@@ -87,12 +87,12 @@ bool turnsShadow(Turn what) { return what != Turn::camera; }
 Result<FrameSettings> standingStill(FrameSettings settings, const Scene& scene, const BoundingSphere& bounds,
                                     const BoundingSphere& other_bounds) {
   const float radii = bounds.radius / other_bounds.radius;
-  settings.camera.target = settings.camera.target.value_or(bounds.center);
+  settings.camera.target = settings.camera.target.value_or(bounds.inFile(bounds.center));
   if (settings.camera.distance) *settings.camera.distance *= radii;
   if (settings.camera.orthographic_height) *settings.camera.orthographic_height *= radii;
   if (settings.proxy.kind == ProxyKind::ground) {
     MIRRORBALL_TRY(ground, placedProxy(settings.proxy, scene));
-    settings.proxy.captured_at = ground.captured_at;
+    settings.proxy.captured_at = bounds.inFile(ground.captured_at);
     settings.proxy.radius = ground.radius;
   }
   return settings;

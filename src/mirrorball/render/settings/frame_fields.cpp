@@ -12,6 +12,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/hex_color.h"
+#include "mirrorball/scene/place_text.h"
 
 namespace mirrorball::frame_fields {
 
@@ -121,12 +122,12 @@ namespace {
 /// A place that need not be told.
 template <auto Part, auto Place>
 constexpr Field kOptionalPlace{[](const FrameSettings& s) {
-                                 const std::optional<glm::vec3>& place = s.*Part.*Place;
-                                 return place ? writeNumbers({&place->x, 3}) : std::string();
+                                 const std::optional<glm::dvec3>& place = s.*Part.*Place;
+                                 return place ? writtenPlace(*place) : std::string();
                                },
                                [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                                 MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                                 s.*Part.*Place = glm::vec3(numbers[0], numbers[1], numbers[2]);
+                                 MIRRORBALL_TRY(numbers, parseExactNumbers(text, written));
+                                 s.*Part.*Place = glm::dvec3(numbers[0], numbers[1], numbers[2]);
                                  return {};
                                }};
 
@@ -210,7 +211,7 @@ constinit const Field kWavelength{
 
 constinit const Field kLight{[](const FrameSettings&) { return std::string(); },
                              [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                               MIRRORBALL_TRY(n, parseNumbers(text, written));
+                               MIRRORBALL_TRY(n, parseExactNumbers(text, written));
                                if (s.lights.size() == FrameSettings::kMaxLights)
                                  return fail(ErrorCode::usage, std::string(text.name) + " may be given " +
                                                                    std::to_string(FrameSettings::kMaxLights) +

@@ -38,7 +38,7 @@ std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& setting
     rows.emplace_back(lamp.color * factor, 0.0f);
     rows.emplace_back(lamp.cosine_inner, lamp.cosine_outer, 0.0f, 0.0f);
   };
-  for (const PointLight& light : settings.lights) add(lampOf(light), 1.0f);
+  for (const PointLight& light : settings.lights) add(lampOf(light, scene.origin), 1.0f);
   for (const ModelLight& light : scene.lights) add(light, settings.light_intensity);
   return rows;
 }

@@ -35,7 +35,8 @@ Generated generatedBy(Texgen texgen) {
 
 /// A projector at the first light, that looks at the middle of the scene and just covers it; upright.
 glm::mat4 projectorOf(const PointLight& light, const BoundingSphere& bounds) {
-  const glm::vec3 away = bounds.center - light.position;
+  const glm::vec3 position = bounds.inScene(light.position);
+  const glm::vec3 away = bounds.center - position;
   const float distance = glm::length(away);
   const glm::vec3 forward = distance > 0.0f ? away / distance : glm::vec3(0.0f, 0.0f, -1.0f);
   const bool is_upright = std::abs(forward.y) < 0.9999f;
@@ -44,7 +45,7 @@ glm::mat4 projectorOf(const PointLight& light, const BoundingSphere& bounds) {
   // The tangent of the angle at which the sphere is seen; within it, a quarter of a turn.
   const float beyond = distance * distance - bounds.radius * bounds.radius;
   const float widening = beyond > bounds.radius * bounds.radius ? bounds.radius / std::sqrt(beyond) : 1.0f;
-  return formula::projectorMatrix(light.position, forward, up, widening);
+  return formula::projectorMatrix(position, forward, up, widening);
 }
 
 /// What is linear in a mode for a picture: from what its formula gives to OpenGL's coordinates.
@@ -66,7 +67,7 @@ glm::mat4 pictureFrame(const BoundingSphere& bounds, const Camera& camera, const
 }
 
 /// The same for the environment: to one of its directions.
-glm::mat4 environmentFrame(const Camera& camera, const FrameSettings& settings) {
+glm::mat4 environmentFrame(const BoundingSphere& bounds, const Camera& camera, const FrameSettings& settings) {
   const glm::mat4 environment_from_world(settings.environmentFromWorld());
   switch (settings.texgen) {
     case Texgen::object_linear:
@@ -74,7 +75,8 @@ glm::mat4 environmentFrame(const Camera& camera, const FrameSettings& settings) 
     case Texgen::eye_linear:
       return camera.view_from_world;
     case Texgen::light:
-      return environment_from_world * glm::translate(glm::mat4(1.0f), -settings.lights.front().position);
+      return environment_from_world *
+             glm::translate(glm::mat4(1.0f), -bounds.inScene(settings.lights.front().position));
     default:
       return environment_from_world;
   }
@@ -83,8 +85,8 @@ glm::mat4 environmentFrame(const Camera& camera, const FrameSettings& settings) 
 /// From the formula's coordinates of reflected light.
 ///
 /// texture_matrix   that wraps the environment
-glm::mat4 lookUpMatrix(const CoordinateChoice& choice, const Camera& camera, const FrameSettings& settings,
-                       const glm::mat4& texture_matrix) {
+glm::mat4 lookUpMatrix(const CoordinateChoice& choice, const BoundingSphere& bounds, const Camera& camera,
+                       const FrameSettings& settings, const glm::mat4& texture_matrix) {
   if (choice.is_sphere_map) {
     const bool is_of_normals = choice.look_up == Generated::normal;
     return is_of_normals ? texture_matrix * formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world))
@@ -94,7 +96,7 @@ glm::mat4 lookUpMatrix(const CoordinateChoice& choice, const Camera& camera, con
   const bool is_of_world = choice.look_up == Generated::reflection || choice.look_up == Generated::normal;
   if (is_of_world && texture_matrix == glm::mat4(1.0f)) return glm::mat4(1.0f);
   const glm::mat4 world_from_environment(glm::transpose(settings.environmentFromWorld()));
-  return world_from_environment * texture_matrix * environmentFrame(camera, settings);
+  return world_from_environment * texture_matrix * environmentFrame(bounds, camera, settings);
 }
 
 }  // namespace
@@ -156,7 +158,7 @@ Result<CoordinateMatrices> coordinateMatrices(const Scene& scene, const Bounding
   FrameSettings of_mapping = settings;
   if (has_pictures) of_mapping.texgen = Texgen::none;
   return CoordinateMatrices{
-      lookUpMatrix(choice, camera, of_mapping, has_pictures ? glm::mat4(1.0f) : settings.texture_matrix),
+      lookUpMatrix(choice, bounds, camera, of_mapping, has_pictures ? glm::mat4(1.0f) : settings.texture_matrix),
       has_pictures ? settings.texture_matrix * pictureFrame(bounds, camera, settings) : glm::mat4(1.0f)};
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "formula/tangent.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/animation/deformation.h"
@@ -112,7 +114,7 @@ class Poser {
       if (part.deformation) bend(part, volume < 0.0);
       const int mesh = !part.deformation && volume < 0.0 ? mirrorImageOf(part.mesh) : part.mesh;
       scene_.instances.push_back({.mesh = mesh,
-                                  .world_from_object = part.skin < 0 ? glm::mat4(worldOf(part.node)) : glm::mat4(1.0f),
+                                  .world_from_object = part.skin < 0 ? worldFromMesh(part) : glm::mat4(1.0f),
                                   .node = part.node});
     }
   }
@@ -129,6 +131,10 @@ class Poser {
   }
 
   const glm::dmat4& worldOf(int node) const { return worlds_[std::size_t(node)]; }
+
+  glm::mat4 worldFromMesh(const RigPart& part) const {
+    return glm::mat4(glm::translate(worldOf(part.node), part.mesh_origin));
+  }
 
   void bend(RigPart& part, bool node_mirrors) {
     Mesh& mesh = scene_.meshes[std::size_t(part.mesh)].edit();

@@ -56,6 +56,7 @@ struct RigPart {
   int mesh = 0;   ///< index into Scene::meshes; of no other part if it is deformed
   int skin = -1;  ///< index into Rig::skins; −1: it moves with the node
   std::shared_ptr<const MeshDeformation> deformation = {};  ///< none: it stays as it is
+  glm::dvec3 mesh_origin{0.0};                              ///< where the mesh's own (0, 0, 0) is in the node
   bool is_mirrored = false;                                 ///< a deformed mesh's triangles are turned round now
 };
 

@@ -45,7 +45,7 @@ Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, fl
   const float azimuth = glm::radians(options.azimuth_deg);
   const float elevation = glm::radians(options.elevation_deg);
   const float fov = glm::radians(options.fov_deg);
-  const glm::vec3 target = options.target.value_or(bounds.center);
+  const glm::vec3 target = options.target ? bounds.inScene(*options.target) : bounds.center;
   const glm::vec3 backward = towardsCamera(azimuth, elevation);
   const float distance = options.distance.value_or(framingDistance(fov, aspect)) * bounds.radius;
 

@@ -11,12 +11,12 @@ namespace mirrorball {
 
 /// Position and view of a camera, in the user's terms.
 struct CameraOptions {
-  std::string name = {};                 ///< of one of Scene::cameras, which all else here is then left to; empty: none
-  float azimuth_deg = 30.0f;             ///< 0 stands on +Z and looks along −Z, 90 stands on +X
-  float elevation_deg = 15.0f;           ///< 90 stands on +Y
-  std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
-  std::optional<glm::vec3> target = {};  ///< world; without it the centre of that ball
-  float fov_deg = 35.0f;                 ///< vertical field of view
+  std::string name = {};               ///< of one of Scene::cameras, which all else here is then left to; empty: none
+  float azimuth_deg = 30.0f;           ///< 0 stands on +Z and looks along −Z, 90 stands on +X
+  float elevation_deg = 15.0f;         ///< 90 stands on +Y
+  std::optional<float> distance = {};  ///< from the target, in model radii; without it a ball around the model does
+  std::optional<glm::dvec3> target = {};  ///< in the file's coordinates; without it the centre of that ball
+  float fov_deg = 35.0f;                  ///< vertical field of view
   /// How far around the model's foot a framing holds the ground too, in model radii. 0: it does not.
   float ground_reach = 0.0f;
   /// Towards the light whose shadow on that ground a framing holds too: world, unit. 0, or not above: there is none.

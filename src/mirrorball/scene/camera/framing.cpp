@@ -259,7 +259,7 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
   if (is_parallel ? *options.orthographic_height > 0.0f : options.distance.has_value()) return options;
   if (scene.empty()) return options;
 
-  const glm::dvec3 target(options.target.value_or(bounds.center));
+  const glm::dvec3 target = options.target ? bounds.inScene(*options.target) : bounds.center;
   const double radius = bounds.radius;
   const View view(scene, radius, options, target, what, runs);
   CameraOptions chosen = options;
@@ -284,7 +284,7 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
     }
   }
   const glm::dvec3 looked_at = view.lookedAt(camera);
-  chosen.target = glm::vec3(target + view.inWorld(looked_at));
+  chosen.target = bounds.inFile(glm::vec3(target + view.inWorld(looked_at)));
   if (!is_parallel) chosen.distance = static_cast<float>((camera.z - looked_at.z) / radius);
   return chosen;
 }

@@ -48,9 +48,7 @@ class SceneWriter {
     writeVariants();
     writeCameras();
     if (camera) writePicturesCamera(*camera);
-    OutputJson roots = OutputJson::array();
-    for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) roots.push_back(i);
-    file_.append("scenes", {{"nodes", std::move(roots)}});
+    writeRoots();
     file_.json["scene"] = 0;
     MIRRORBALL_TRY_VOID(writeMaterials(scene_, file_, encoded.left_out));
     if (!scene_.rig.animations.empty())
@@ -130,6 +128,23 @@ class SceneWriter {
     if (isSheared(matrix))
       left_out.push_back(quoted("nodes", place) +
                          ": its transform has shear, which glTF does not allow and some programs leave out");
+  }
+
+  /// Makes nodes without a parent of all, or of two that bring them back to where the scene's file had them: the numbers
+  /// written here are whole, or floats.
+  void writeRoots() {
+    OutputJson nodes = OutputJson::array();
+    for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) nodes.push_back(i);
+    const glm::dvec3 whole = glm::round(scene_.origin);
+    const auto moveBy = [&](OutputJson translation) {
+      const std::size_t parent = file_.append(
+          "nodes", {{"name", "Origin"}, {"translation", std::move(translation)}, {"children", std::move(nodes)}});
+      nodes = OutputJson::array({parent});
+    };
+    if (scene_.origin != whole) moveBy(componentsOf(glm::vec3(scene_.origin - whole)));
+    if (whole != glm::dvec3(0.0))
+      moveBy(OutputJson::array({std::int64_t(whole.x), std::int64_t(whole.y), std::int64_t(whole.z)}));
+    file_.append("scenes", {{"nodes", std::move(nodes)}});
   }
 
   static OutputJson matrixOf(const glm::mat4& matrix) { return std::vector<float>(&matrix[0].x, &matrix[0].x + 16); }

@@ -46,4 +46,7 @@ void forEachPosition(const Scene& scene, const glm::dmat4& to_from_world, Visit&
   for (const Instance& instance : scene.instances) forEachPosition(scene, instance, to_from_world, visit);
 }
 
+/// The box around all of them, which boundingBox() rounds.
+DoubleBox boxOfPositions(const Scene& scene);
+
 }  // namespace mirrorball

@@ -8,6 +8,8 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/model_origin.h"
+#include "mirrorball/scene/place_text.h"
 
 namespace mirrorball {
 namespace {
@@ -21,8 +23,8 @@ tl::unexpected<Error> misusedProxy(std::string_view option, std::string_view wri
 }
 
 /// Between so many numbers.
-Result<std::vector<float>> numbersOf(std::string_view option, std::string_view written, int min, int max) {
-  return parseNumbers({.name = option, .min_count = min, .max_count = max}, written);
+Result<std::vector<double>> numbersOf(std::string_view option, std::string_view written, int min, int max) {
+  return parseExactNumbers({.name = option, .min_count = min, .max_count = max}, written);
 }
 
 Result<ProxyOptions> parseBox(std::string_view option, std::string_view written, std::string_view numbers) {
@@ -35,19 +37,19 @@ Result<ProxyOptions> parseBox(std::string_view option, std::string_view written,
 
 Result<ProxyOptions> parseSphere(std::string_view option, std::string_view written, std::string_view numbers) {
   MIRRORBALL_TRY(n, numbersOf(option, numbers, 4, 4));
-  if (n[3] <= 0.0f) return misusedProxy(option, written, "a sphere has a radius above 0: sphere:X,Y,Z,RADIUS");
-  return ProxyOptions{.kind = ProxyKind::sphere, .center = {n[0], n[1], n[2]}, .radius = n[3]};
+  if (n[3] <= 0.0) return misusedProxy(option, written, "a sphere has a radius above 0: sphere:X,Y,Z,RADIUS");
+  return ProxyOptions{.kind = ProxyKind::sphere, .center = {n[0], n[1], n[2]}, .radius = static_cast<float>(n[3])};
 }
 
 Result<ProxyOptions> parseGround(std::string_view option, std::string_view written, std::string_view numbers) {
   ProxyOptions proxy{.kind = ProxyKind::ground};
   if (numbers.empty()) return proxy;
   MIRRORBALL_TRY(n, numbersOf(option, numbers, 1, 2));
-  proxy.height = n[0];
+  proxy.height = static_cast<float>(n[0]);
   if (proxy.height <= 0.0f)
     return misusedProxy(option, written, "the panorama's camera is above the ground: ground:HEIGHT[,RADIUS]");
   if (n.size() == 1) return proxy;
-  proxy.radius = n[1];
+  proxy.radius = static_cast<float>(n[1]);
   if (proxy.radius <= proxy.height)
     return misusedProxy(option, written, "the dome's radius is larger than the height: ground:HEIGHT[,RADIUS]");
   return proxy;
@@ -60,24 +62,25 @@ Result<Proxy> placedGround(const ProxyOptions& options, const Scene& scene) {
   Proxy proxy{.kind = ProxyKind::ground,
               .ground = box.isEmpty() ? 0.0f : box.low.y,
               .ground_roughness = options.ground_roughness};
-  proxy.captured_at = options.captured_at.value_or(glm::vec3(middle.x, proxy.ground + height, middle.z));
+  proxy.captured_at = options.captured_at ? glm::vec3(*options.captured_at - scene.origin)
+                                          : glm::vec3(middle.x, proxy.ground + height, middle.z);
   proxy.center = proxy.captured_at;
   const float above = proxy.center.y - proxy.ground;
   proxy.radius = options.radius > 0.0f ? options.radius : kHeightsOfDome * above;
   return proxy;
 }
 
-Result<Proxy> placedMesh(const ProxyOptions& options) {
+/// origin   of the scene that it encloses
+Result<Proxy> placedMesh(const ProxyOptions& options, glm::dvec3 origin) {
   MIRRORBALL_TRY(scene, loadModel(options.file, options.load));
+  MIRRORBALL_TRY_VOID(withName(options.file, moveOrigin(scene, origin)));
   MIRRORBALL_TRY(tree, withName(options.file, triangleTree(scene)));
   if (!tree) return fail(ErrorCode::usage, options.file + ": has no triangles, and so encloses nothing");
   Proxy proxy{.kind = ProxyKind::mesh};
-  proxy.captured_at = options.captured_at.value_or(boundingBox(scene).center());
+  proxy.captured_at = options.captured_at ? glm::vec3(*options.captured_at - origin) : boundingBox(scene).center();
   proxy.mesh = std::make_shared<const BodyTree>(std::move(*tree));
   return proxy;
 }
-
-std::string writtenPlace(glm::vec3 place) { return writeNumbers({&place.x, 3}); }
 
 }  // namespace
 
@@ -126,28 +129,31 @@ glm::vec3 Proxy::within(glm::vec3 place) const {
 }
 
 Result<Proxy> placedProxy(const ProxyOptions& options, const Scene& scene) {
+  const auto inScene = [&](glm::dvec3 place) { return glm::vec3(place - scene.origin); };
   Proxy proxy{.kind = options.kind,
-              .low = options.low,
-              .high = options.high,
-              .center = options.center,
+              .low = inScene(options.low),
+              .high = inScene(options.high),
+              .center = inScene(options.center),
               .radius = options.radius};
-  if (options.kind == ProxyKind::box) proxy.captured_at = options.captured_at.value_or((proxy.low + proxy.high) / 2.0f);
-  if (options.kind == ProxyKind::sphere) proxy.captured_at = options.captured_at.value_or(proxy.center);
+  if (options.kind == ProxyKind::box) proxy.captured_at = (proxy.low + proxy.high) / 2.0f;
+  if (options.kind == ProxyKind::sphere) proxy.captured_at = proxy.center;
+  if (options.captured_at) proxy.captured_at = inScene(*options.captured_at);
   if (options.kind == ProxyKind::ground) {
     MIRRORBALL_TRY(placed, placedGround(options, scene));
     proxy = std::move(placed);
     if (proxy.center.y <= proxy.ground || proxy.radius <= proxy.center.y - proxy.ground)
-      return fail(ErrorCode::usage, "the panorama's camera at " + writtenPlace(proxy.captured_at) +
-                                        " is not above the ground, which is at " + formatNumber(proxy.ground) +
-                                        ", within the dome of radius " + formatNumber(proxy.radius));
+      return fail(ErrorCode::usage,
+                  "the panorama's camera at " + writtenPlace(glm::dvec3(proxy.captured_at) + scene.origin) +
+                      " is not above the ground, which is at " + formatNumber(proxy.ground + scene.origin.y) +
+                      ", within the dome of radius " + formatNumber(proxy.radius));
   }
   if (options.kind == ProxyKind::mesh) {
-    MIRRORBALL_TRY(placed, placedMesh(options));
+    MIRRORBALL_TRY(placed, placedMesh(options, scene.origin));
     proxy = std::move(placed);
   }
   if (!proxy.holds(proxy.captured_at))
-    return fail(ErrorCode::usage, "the map's place " + writtenPlace(proxy.captured_at) + " is not within its proxy " +
-                                      writtenProxy(options));
+    return fail(ErrorCode::usage, "the map's place " + writtenPlace(glm::dvec3(proxy.captured_at) + scene.origin) +
+                                      " is not within its proxy " + writtenProxy(options));
   return proxy;
 }
 

@@ -24,17 +24,17 @@ enum class ProxyKind {
   mesh,
 };
 
-/// That surface as a user asks for it, in world units.
+/// That surface as a user asks for it, in the coordinates of the scene's file.
 struct ProxyOptions {
   ProxyKind kind = ProxyKind::none;
-  glm::vec3 low{0.0f}, high{0.0f};            ///< of a box
-  glm::vec3 center{0.0f};                     ///< of a sphere
-  float radius = 0.0f;                        ///< of a sphere or a dome; 0: ten times the height
-  float height = 0.0f;                        ///< of the panorama's camera above the ground; 0: two model radii
-  float ground_roughness = 1.0f;              ///< perceptual: of a ground; below 1 it mirrors the scene
-  std::string file = {};                      ///< of a mesh, or the name of a built-in model
-  ModelLoadOptions load = {};                 ///< of that file
-  std::optional<glm::vec3> captured_at = {};  ///< where the map was; without it the middle, or above the model
+  glm::dvec3 low{0.0}, high{0.0};              ///< of a box
+  glm::dvec3 center{0.0};                      ///< of a sphere
+  float radius = 0.0f;                         ///< of a sphere or a dome; 0: ten times the height
+  float height = 0.0f;                         ///< of the panorama's camera above the ground; 0: two model radii
+  float ground_roughness = 1.0f;               ///< perceptual: of a ground; below 1 it mirrors the scene
+  std::string file = {};                       ///< of a mesh, or the name of a built-in model
+  ModelLoadOptions load = {};                  ///< of that file
+  std::optional<glm::dvec3> captured_at = {};  ///< where the map was; without it the middle, or above the model
 
   bool operator==(const ProxyOptions&) const = default;
   /// Whether its ground is polished, so that it shows the scene (formula/proxy/glossy_ground.glsl).

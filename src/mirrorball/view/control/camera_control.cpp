@@ -44,7 +44,8 @@ void turn(CameraOptions& camera, glm::vec2 by_deg) {
 ///
 /// by   in model radii
 void shift(CameraOptions& camera, const BoundingSphere& bounds, glm::vec3 by) {
-  camera.target = camera.target.value_or(bounds.center) + bounds.radius * by;
+  const glm::vec3 before = camera.target ? bounds.inScene(*camera.target) : bounds.center;
+  camera.target = bounds.inFile(before + bounds.radius * by);
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ CameraOptions placedCamera(const Scene& scene, const BoundingSphere& bounds, con
                            float aspect) {
   if (!options.name.empty()) return options;
   CameraOptions placed = framed(scene, bounds, options, aspect);
-  if (!placed.target) placed.target = bounds.center;
+  if (!placed.target) placed.target = bounds.inFile(bounds.center);
   // Only a framing asks for the ground.
   placed.ground_reach = 0.0f;
   placed.ground_light = glm::vec3(0.0f);

@@ -1,0 +1,140 @@
+#include "mirrorball/scene/model_origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/animation/pose.h"
+#include "mirrorball/scene/mesh_file/positions.h"
+#include "mirrorball/scene/place_text.h"
+
+namespace mirrorball {
+namespace {
+
+/// From how many radii away on a model is drawn about its own middle. A float of 24 bits is rounded by 1/300 of a pixel
+/// there, if the model is a thousand pixels high.
+constexpr double kRadiiAway = 100.0;
+
+double radiusOf(const DoubleBox& box) { return box.isEmpty() ? 0.0 : 0.5 * glm::distance(box.low, box.high); }
+
+double longestAxis(const glm::dmat4& matrix) {
+  return std::max({glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2])});
+}
+
+DoubleBox boxOf(const Mesh& mesh) {
+  DoubleBox box;
+  for (const Vertex& vertex : mesh.vertices) box.include(vertex.position);
+  return box;
+}
+
+/// What 32-bit coordinates of a place are rounded to.
+double stepOfFloats(glm::dvec3 place) {
+  constexpr int kBits = 23;  // behind the first one
+  const double size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+  return size > 0.0 ? std::ldexp(1.0, std::ilogb(size) - kBits) : 0.0;
+}
+
+/// Moves the vertices of meshes that lie far from their nodes, as models do whose vertices have the coordinates of a
+/// map, to about their own origin, and that into their nodes.
+///
+/// returns   whether there are any
+bool moveMeshes(Scene& scene) {
+  const double radius = radiusOf(boxOfPositions(scene));
+  std::vector<bool> is_bent(scene.meshes.size(), false);
+  for (const RigPart& part : scene.rig.parts)
+    if (part.deformation) is_bent[std::size_t(part.mesh)] = true;
+  std::vector<glm::dvec3> origins(scene.meshes.size(), glm::dvec3(0.0));
+  bool moves_any = false;
+  for (const Instance& instance : scene.instances) {
+    const auto index = std::size_t(instance.mesh);
+    // The images of mirroring nodes are made of the others.
+    if (is_bent[index] || origins[index] != glm::dvec3(0.0)) continue;
+    const DoubleBox box = boxOf(scene.meshes[index]);
+    const double scale = longestAxis(glm::dmat4(instance.world_from_object));
+    // A small part of a model is at many of its own radii, and yet its numbers are fine enough for the model.
+    if (scale * glm::length(box.center()) <= kRadiiAway * radius) continue;
+    origins[index] = originFor(box);
+    moves_any = true;
+    scene.vertex_step = std::max(scene.vertex_step, scale * stepOfFloats(box.center()));
+  }
+  if (!moves_any) return false;
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (origins[i] == glm::dvec3(0.0)) continue;
+    for (Vertex& vertex : scene.meshes[i].edit().vertices)
+      vertex.position = glm::vec3(glm::dvec3(vertex.position) - origins[i]);
+  }
+  for (RigPart& part : scene.rig.parts)
+    if (!part.deformation) part.mesh_origin += origins[std::size_t(part.mesh)];
+  return true;
+}
+
+}  // namespace
+
+glm::dvec3 originFor(const DoubleBox& box) {
+  const double radius = radiusOf(box);
+  if (box.isEmpty() || !(glm::length(box.center()) > kRadiiAway * radius)) return glm::dvec3(0.0);
+  if (radius == 0.0) return box.center();
+  const double steps = std::pow(10.0, std::floor(std::log10(radius)));
+  const double per_unit = std::pow(10.0, -std::floor(std::log10(radius)));
+  // A quotient by a whole number is the double that is nearest to a short decimal fraction.
+  return radius >= 1.0 ? glm::round(box.center() / steps) * steps : glm::round(box.center() * per_unit) / per_unit;
+}
+
+glm::dvec3 originFor(std::span<const glm::dvec3> vertices) {
+  DoubleBox box;
+  for (const glm::dvec3& vertex : vertices)
+    if (std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z)) box.include(vertex);
+  return originFor(box);
+}
+
+void setOrigin(Scene& scene, glm::dvec3 origin, bool are_floats) {
+  scene.origin = origin;
+  if (are_floats) scene.vertex_step = stepOfFloats(origin);
+}
+
+Result<void> moveOrigin(Scene& scene, glm::dvec3 origin) {
+  const glm::dvec3 by = scene.origin - origin;
+  if (by == glm::dvec3(0.0)) return {};
+  scene.origin = origin;
+  const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), by);
+  if (!scene.rig.nodes.empty()) {
+    scene.rig.world_from_roots = moved * scene.rig.world_from_roots;
+    return poseAtRest(scene);
+  }
+  const auto move = [&](glm::mat4& place) { place = glm::mat4(moved * glm::dmat4(place)); };
+  for (Instance& instance : scene.instances) move(instance.world_from_object);
+  for (ModelCamera& camera : scene.cameras) move(camera.world_from_view);
+  for (ModelLight& light : scene.lights) light.position = glm::vec3(glm::dvec3(light.position) + by);
+  return {};
+}
+
+Result<void> drawAboutMiddle(Scene& scene) {
+  // Floats at the model's distance tell its middle no better than they tell its details; about that middle, they do.
+  constexpr int kPasses = 3;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const glm::dvec3 middle = originFor(boxOfPositions(scene));
+    if (middle == glm::dvec3(0.0)) break;
+    MIRRORBALL_TRY_VOID(moveOrigin(scene, scene.origin + middle));
+  }
+  if (scene.rig.nodes.empty() || !moveMeshes(scene)) return {};
+  return poseAtRest(scene);
+}
+
+std::optional<std::string> remarkOnOrigin(const Scene& scene) {
+  const double radius = boundingSphere(scene).radius;
+  const double away = glm::length(scene.origin);
+  const bool is_coarse = scene.vertex_step > 0.0;
+  if (away == 0.0 && !is_coarse) return {};
+  const std::string rounding = "its 32-bit vertices are rounded to " + formatNumber(scene.vertex_step) + ", 1/" +
+                               formatNumber(std::round(radius / std::max(scene.vertex_step, 1e-300))) +
+                               " of its radius";
+  if (away == 0.0) return "lies far from the origin of its nodes; " + rounding;
+  return "lies " + formatNumber(std::round(away / radius)) + " radii from the origin of its coordinates: drawn about " +
+         writtenPlace(scene.origin) + (is_coarse ? "; " + rounding : "");
+}
+
+}  // namespace mirrorball

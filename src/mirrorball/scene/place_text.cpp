@@ -1,0 +1,32 @@
+#include "mirrorball/scene/place_text.h"
+
+#include <array>
+#include <charconv>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+std::string exactText(double number) {
+  if (double(static_cast<float>(number)) == number) return formatNumber(number);
+  std::array<char, 32> letters;
+  const auto end = std::to_chars(letters.data(), letters.data() + letters.size(), number).ptr;
+  return {letters.data(), end};
+}
+
+}  // namespace
+
+Result<std::vector<double>> parseExactNumbers(const OptionText& text, std::string_view written) {
+  // It says what is wrong with them.
+  MIRRORBALL_TRY_VOID(parseNumbers(text, written));
+  std::vector<double> numbers;
+  for (const std::string& part : split(written, ',')) numbers.push_back(*parseNumber(part));
+  return numbers;
+}
+
+std::string writtenPlace(glm::dvec3 place) {
+  return exactText(place.x) + "," + exactText(place.y) + "," + exactText(place.z);
+}
+
+}  // namespace mirrorball

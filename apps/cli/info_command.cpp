@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -93,7 +94,10 @@ Result<NorthInfo> requiredNorth(const LoadedEnvironment& loaded) {
 std::optional<NorthInfo> statedNorth(const LoadedEnvironment& loaded, const std::string& name) {
   if (!checkTakesHeading(loaded)) return std::nullopt;
   const auto heading = headingInFile(loaded.files.front());
-  if (!heading) remark(name + ": " + heading.error().message);
+  // What keeps a panorama from being levelled was reported when it was loaded.
+  const auto& reported = loaded.oddities;
+  if (!heading && std::find(reported.begin(), reported.end(), heading.error().message) == reported.end())
+    remark(name + ": " + heading.error().message);
   if (!heading || !*heading) return std::nullopt;
   const auto north = findNorth(**heading, loaded);
   return north ? std::optional(*north) : std::nullopt;
@@ -113,10 +117,14 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
     MIRRORBALL_TRY(scene, loadModel(input, {.inside_only = options.inside_only}));
     return InputInfo{shown(input), ModelInfo{std::string(*format).substr(format->find(' ') + 1), std::move(scene)}};
   }
+  // A heading that cannot be read is the error, and no remark of the panorama that it tilts.
+  if (options.north) MIRRORBALL_TRY_VOID(withName(shown(input), headingInFile(input)));
   MIRRORBALL_TRY(loaded, loadMap(input, how));
   MapInfo map{.loaded = std::move(loaded)};
   if (auto& recognition = map.loaded.recognition) {
     map.covered = coveredSolidAngle(recognition->form.projection) / (2.0f * formula::kTwoPi);
+    if (recognition->form.projection == Projection::equirect && map.loaded.window)
+      map.covered = static_cast<float>(shareOfSphere(*map.loaded.window));
     if (recognition->told_by.empty()) recognition->told_by = "--from";
   }
   const Metadata& said = map.loaded.metadata;

@@ -30,6 +30,9 @@ void add(const MapInfo& map, Json& json) {
   json["kind"] = "map";
   json["format"] = loaded.format;
   json["colour"] = loaded.color;
+  if (!loaded.layers.empty()) json["layer"] = loaded.layer;
+  for (const PictureLayer& layer : loaded.layers)
+    json["layers"].push_back({{"name", layer.name}, {"channels", layer.channels}});
   json["projection"] = nullptr;
   if (loaded.recognition) {
     const MapForm& form = loaded.recognition->form;
@@ -39,6 +42,11 @@ void add(const MapInfo& map, Json& json) {
     json["size"] = arrayOf(loaded.file_size);
   }
   json["covered"] = numberOf(double(map.covered));
+  if (const auto& window = loaded.window)
+    json["window"] = {{"corner", arrayOf(window->corner)},
+                      {"size", arrayOf(window->size)},
+                      {"whole", arrayOf(window->whole)},
+                      {"source", window->source}};
   json["bad_texels"]["count"] = loaded.bad_texels.count;
   if (loaded.bad_texels.count > 0) json["bad_texels"]["first"] = arrayOf(loaded.bad_texels.first);
   json["min"] = arrayOf(map.statistics.min);
@@ -49,11 +57,16 @@ void add(const MapInfo& map, Json& json) {
   if (map.harmonics)
     for (const glm::vec3& row : *map.harmonics) json["filament_harmonics"].push_back(arrayOf(row));
   if (map.north) {
-    const auto& [heading, axes, column] = *map.north;
-    json["north"] = {{"direction", arrayOf(axes.north)},     {"up", arrayOf(axes.up)},
-                     {"column", numberOf(double(column))},   {"heading", numberOf(heading.heading_deg)},
-                     {"pitch", numberOf(heading.pitch_deg)}, {"roll", numberOf(heading.roll_deg)},
-                     {"is_magnetic", heading.is_magnetic},   {"source", heading.source}};
+    const auto& [heading, axes, column, columns] = *map.north;
+    json["north"] = {{"direction", arrayOf(axes.north)},
+                     {"up", arrayOf(axes.up)},
+                     {"column", numberOf(double(column))},
+                     {"columns", columns},
+                     {"heading", numberOf(heading.heading_deg)},
+                     {"pitch", numberOf(heading.pitch_deg)},
+                     {"roll", numberOf(heading.roll_deg)},
+                     {"is_magnetic", heading.is_magnetic},
+                     {"source", heading.source}};
   }
   if (map.direction) json["direction"] = jsonOfDirection(*map.direction);
 }

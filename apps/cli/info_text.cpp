@@ -20,11 +20,35 @@ std::string directionText(glm::vec3 d) {
 /// "  format       KTX2": a fact with its name.
 std::string line(const char* name, const std::string& fact) { return formatted("  %-12s ", name) + fact + "\n"; }
 
-std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+/// " at (16, 8) of 64x32 (its display window)"
+std::string windowPlaceText(const PictureWindow& window) {
+  return " at (" + std::to_string(window.corner.x) + ", " + std::to_string(window.corner.y) + ") of " +
+         sizeText(window.whole) + " (" + window.source + ")";
+}
+
+/// Which directions a map covers that does not cover all.
+std::string coveredText(const LoadedEnvironment& loaded) {
+  const Projection projection = loaded.recognition->form.projection;
+  if (projection == Projection::ball) return "none of the cone that the ball hides behind it, around -Z";
+  if (projection != Projection::equirect) return "none of the half with z < 0";
+  const PictureWindow& window = *loaded.window;
+  const glm::dvec2 degrees = glm::dvec2(window.size) / glm::dvec2(window.whole) * glm::dvec2(360.0, 180.0);
+  return shortText(degrees.x) + " x " + shortText(degrees.y) + " degrees," + windowPlaceText(window);
+}
+
+/// "AO (R G B), rgba (R G B): read"
+std::string layersText(const LoadedEnvironment& loaded) {
+  std::vector<std::string> texts;
+  for (const PictureLayer& layer : loaded.layers)
+    texts.push_back(printable(layer.name) + " (" + printable(layer.channels) + ")" +
+                    (layer.name == loaded.layer ? ": read" : ""));
+  return join(texts);
+}
 
 std::string fileText(const MapInfo& map) {
   const LoadedEnvironment& loaded = map.loaded;
   std::string said = line("format", loaded.format) + line("colour", loaded.color);
+  if (!loaded.layers.empty()) said += line("layers", layersText(loaded));
   if (loaded.recognition) {
     said += line("size", sizeText(loaded.file_size));
     said +=
@@ -32,10 +56,9 @@ std::string fileText(const MapInfo& map) {
     if (loaded.recognition->is_guess)
       said += line("mirroring", "OpenGL's table or as seen from inside: mirrored writing in a picture tells which");
     if (map.covered < 1.0f)
-      said += line("covers", formatted("%.5g %% of the sphere: none of ", 100.0 * double(map.covered)) +
-                                 (loaded.recognition->form.projection == Projection::ball
-                                      ? "the cone that the ball hides behind it, around -Z"
-                                      : "the half with z < 0"));
+      said += line("covers", formatted("%.5g %% of the sphere: ", 100.0 * double(map.covered)) + coveredText(loaded));
+    else if (loaded.window)
+      said += line("window", sizeText(loaded.window->size) + windowPlaceText(*loaded.window));
   } else {
     said += line("projection", "none: a function of the direction");
   }
@@ -79,10 +102,10 @@ std::string directionText(const DirectionInfo& direction) {
 }
 
 /// "-0.5 0 0.86603, column 1195 of 2048 (GPano:PoseHeadingDegrees 330)"
-std::string northText(const NorthInfo& north, glm::ivec2 file_size) {
+std::string northText(const NorthInfo& north) {
   const CompassHeading& heading = north.heading;
   std::string text = directionText(north.axes.north) + ", column " + formatted("%.0f", double(north.column)) + " of " +
-                     std::to_string(file_size.x) + " (" + heading.source + " " + shortText(heading.heading_deg);
+                     std::to_string(north.columns) + " (" + heading.source + " " + shortText(heading.heading_deg);
   if (heading.is_magnetic) text += ", magnetic";
   if (heading.pitch_deg != 0.0) text += ", pitch " + shortText(heading.pitch_deg);
   if (heading.roll_deg != 0.0) text += ", roll " + shortText(heading.roll_deg);
@@ -90,7 +113,7 @@ std::string northText(const NorthInfo& north, glm::ivec2 file_size) {
 }
 
 std::string textOf(const MapInfo& map) {
-  const std::string north = map.north ? line("north", northText(*map.north, map.loaded.file_size)) : "";
+  const std::string north = map.north ? line("north", northText(*map.north)) : "";
   if (map.direction) return directionText(*map.direction) + (map.is_north_alone ? north : "");
   if (map.is_north_alone) return north;
   std::string said = fileText(map) + statisticsText(map.statistics) + north;

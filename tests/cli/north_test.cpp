@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/codec/ldr/gain_map_metadata.h"
-#include "mirrorball/codec/ldr/jpeg_segments.h"
+#include "cli/photo_sphere_testing.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -25,14 +24,7 @@ class NorthTest : public CliTest {
   }
 
   void writeSphere(const std::string& name, const std::string& attributes) const {
-    const std::string packet = std::string(kXmpName) +
-                               "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF><rdf:Description "
-                               "xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\" " +
-                               attributes + "/></rdf:RDF></x:xmpmeta>";
-    Bytes jpeg = bytes("plain.jpg");
-    const Bytes segment = jpegSegment(kApp1, {reinterpret_cast<const std::uint8_t*>(packet.data()), packet.size()});
-    jpeg.insert(jpeg.begin() + static_cast<std::ptrdiff_t>(behindJfif(jpeg)), segment.begin(), segment.end());
-    write(name, jpeg);
+    write(name, asPhotoSphere(bytes("plain.jpg"), attributes));
   }
 
   /// The brightest texel of a row, and how many are brighter than the grey.
@@ -54,8 +46,13 @@ TEST_F(NorthTest, InfoStatesWhereNorthIs) {
             "  north        1 0 0, column 128 of 512 (GPano:PoseHeadingDegrees 90)\n");
   EXPECT_THAT(succeed("info plain.jpg"), Not(HasSubstr("north")));
   writeSphere("tilted.jpg", "GPano:PoseHeadingDegrees='270' GPano:PosePitchDegrees='4' GPano:PoseRollDegrees='-2.5'");
-  EXPECT_THAT(succeed("info --north tilted.jpg"),
-              HasSubstr("column 384 of 512 (GPano:PoseHeadingDegrees 270, pitch 4, roll -2.5)"));
+  const Outcome level = run("info --north tilted.jpg");
+  EXPECT_THAT(level.out, HasSubstr("  north        -1 0 0, column 384 of 512 (GPano:PoseHeadingDegrees 270, pitch 4, "
+                                   "roll -2.5)"));
+  EXPECT_THAT(level.err, HasSubstr("levelled"));
+  // The camera is rolled counter-clockwise: what is on its right is seen lower.
+  EXPECT_THAT(succeed("info --north --from equirect:level=no tilted.jpg"),
+              HasSubstr("  north        -0.99905 -0.043619 0, column 384 of 512"));
   EXPECT_THAT(succeed("info --north --direction 0,0,1 pano.jpg"), AllOf(StartsWith("direction "), HasSubstr("north")));
 }
 

@@ -14,7 +14,9 @@ namespace {
 
 using namespace mirrorball;
 
-constexpr int kRowsPerRead = 3;
+/// Few at a time, and more of the empty pictures that a display window can be.
+constexpr int kFewRows = 3;
+constexpr int kMostReads = 1000;
 
 /// A file in memory, which the row readers need one to be.
 class MemoryFile {
@@ -49,8 +51,9 @@ MIRRORBALL_HARNESS(rows) {
   if (!rows || !*rows) return 0;
   const auto whole = isHdr(bytes) ? decodeImage(bytes) : Result<DecodedImage>(DecodedImage{});
   const int height = (*rows)->description().height;
-  for (int first = 0; first < height; first += kRowsPerRead) {
-    const auto part = (*rows)->read(std::min(kRowsPerRead, height - first));
+  const int rows_per_read = std::max(kFewRows, height / kMostReads);
+  for (int first = 0; first < height; first += rows_per_read) {
+    const auto part = (*rows)->read(std::min(rows_per_read, height - first));
     fuzz::checkError(part, file.path());
     if (!part) {
       if (isHdr(bytes) && whole) std::abort();  // only read as a whole it is sound

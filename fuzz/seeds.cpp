@@ -178,6 +178,21 @@ void addImages(Corpus& corpus) {
   corpus.add("exr", "chroma", foreignExr<Imf::RgbaOutputFile>(Imf::ZIP_COMPRESSION, Imf::WRITE_YC));
   corpus.add("exr", "tiles",
              foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
+  corpus.add("exr", "layers",
+             testing::constantFile({{"AO.R", 1},
+                                    {"AO.G", 2},
+                                    {"AO.B", 3},
+                                    {"N.X", 4},
+                                    {"N.Y", 5},
+                                    {"N.Z", 6},
+                                    {"V.rgba.left.r", 7},
+                                    {"V.rgba.left.g", 8},
+                                    {"V.rgba.left.b", 9},
+                                    {"Z", 10}}));
+  corpus.add("exr", "parts",
+             testing::constantParts({{"depth", {{"Z", 5}}}, {"rgba", {{"R", 1}, {"G", 2}, {"B", 3}, {"A", 1}}}}));
+  const Imf::Header overscan(Imath::Box2i({0, 0}, {29, 19}), Imath::Box2i({-4, -3}, {15, 8}));
+  corpus.add("exr", "window", testing::foreignFile(overscan, gradient(20, 12, 3), {"R", "G", "B"}));
 
   corpus.add("jpeg", "profile",
              testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}),

@@ -12,27 +12,28 @@ namespace mirrorball {
 namespace {
 
 /// What programs call the picture of a render, the surest first:
-///   composite   Blender's picture after compositing: "Composite.Combined" (source/blender/imbuf: openexr_api)
-///   rgba        Arnold's picture and Nuke's main layer (AYON, ayon-core#776; arnold-usd#2115)
-///   beauty      V-Ray, Redshift, MoonRay, Maya's render layers
-///   combined    Blender: "ViewLayer.Combined", "the render output before any compositing" (its manual, "Passes")
-///   ci, c       RenderMan (Nuke's ExrChannelNameToNuke.cpp; RenderManForBlender#468), Houdini's image planes
-///   image       the first input of Blender's node "File Output"
-///   color       Mitsuba's films of several channels
+///   composite   Blender's picture after compositing, "Composite.Combined", beside that of each view layer
+///   rgba        Arnold's picture and Nuke's main layer (ynput/ayon-core#776, Autodesk/arnold-usd#2115)
+///   rgb, beauty as the documentation of viewers and pipelines has them (OpenRV's "EXR layers", ynput/ayon-core#439)
+///   combined    Blender: "the render output before any compositing" (its manual, "Passes")
+///   ci          RenderMan (Nuke's ExrChannelNameToNuke.cpp; prman-pixar/RenderManForBlender#468)
+///   c           Houdini's plane of colour (SideFX' HDK, IMG_PlaneName)
+///   image …     which say no more than that
 constexpr std::array<std::string_view, 10> kPictureNames{"composite", "rgba", "rgb",   "beauty", "combined",
                                                          "ci",        "c",    "image", "color",  "colour"};
 
 /// Of these, the words that are enough within a longer name.
 constexpr std::array<std::string_view, 4> kPictureWords{"rgba", "rgb", "beauty", "combined"};
 
-/// Words of passes that hold numbers: V-Ray's "Supported Render Elements", Blender's "Passes", Arnold's AOVs, and the
+/// Words of passes that hold numbers: V-Ray's "Supported Render Elements", Blender's "Passes", IMG_PlaneName, and the
 /// Cryptomatte specification. Those that are part of no other word are found anywhere in a name, as in "BumpNormals";
 /// letters only where they are the whole name.
 constexpr auto kNumbersParts = std::to_array<std::string_view>(
     {"normal", "depth", "crypto", "velocity", "vector", "index", "tangent", "variance"});
 constexpr auto kNumbersWords =
     std::to_array<std::string_view>({"position", "pos", "id", "uv", "motion", "mv", "distance", "samples"});
-constexpr auto kNumbersNames = std::to_array<std::string_view>({"n", "ns", "ng", "p", "pref", "pworld", "z", "st"});
+constexpr auto kNumbersNames =
+    std::to_array<std::string_view>({"n", "ns", "ng", "p", "pref", "pworld", "pz", "z", "st", "of"});
 
 /// Those of passes that are weights, or colours of surfaces.
 constexpr auto kAidParts = std::to_array<std::string_view>({"occlusion", "albedo", "shadow", "matte", "coverage"});

@@ -1,6 +1,5 @@
 // What says how a gain map is meant, and the container that it stands in: the bytes as XMP, as ISO 21496-1's numbers
-// and as a file. What is accepted lifts every picture to finite light. And the compass heading, which is read from such
-// bytes by the same reader of XMP.
+// and as a file. What is accepted lifts every picture to finite light.
 
 #include "mirrorball/codec/ldr/gain_map.h"
 
@@ -14,7 +13,6 @@
 #include "mirrorball/codec/ldr/gain_map_metadata.h"
 #include "mirrorball/codec/ldr/jpeg_segments.h"
 #include "mirrorball/codec/ldr/ultra_hdr.h"
-#include "mirrorball/photo/heading_in_file.h"
 
 namespace {
 
@@ -32,14 +30,6 @@ void checkLight(const Result<GainMap>& read) {
     fuzz::check(std::isfinite(sample) && sample >= 0.0f, "light is finite and not negative");
 }
 
-void checkHeading(const Result<std::optional<CompassHeading>>& read) {
-  fuzz::checkError(read);
-  if (!read || !*read) return;
-  const auto [heading, pitch, roll, is_magnetic, source] = **read;
-  fuzz::check(heading >= 0.0 && heading < 360.0 && std::abs(pitch) <= 90.0 && std::abs(roll) <= 180.0,
-              "a heading's angles are in their ranges");
-}
-
 }  // namespace
 
 MIRRORBALL_HARNESS(gain_map) {
@@ -47,7 +37,6 @@ MIRRORBALL_HARNESS(gain_map) {
   static_cast<void>(speaksOfGainMap(text));
   checkLight(readGainMapXmp(text));
   checkLight(readGainMapIso({data, size}));
-  checkHeading(headingIn({data, size}));
   fuzz::check(jpegHeader({data, size}).end <= size && endOfJpeg({data, size}) <= size, "segments lie within the bytes");
   const auto part = findGainMap({data, size});
   fuzz::checkError(part);

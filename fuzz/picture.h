@@ -13,9 +13,9 @@ inline void readHeights(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kMostTexels = 1 << 14;
   const auto numbers = decodeNumbers({data, size});
   checkError(numbers);
-  if (!numbers || numbers->texelCount() > kMostTexels) return;
-  checkError(heightTexture(heightsOfPicture(*numbers).heights, MapEdges::tiled));
-  checkError(slopesOfPicture(*numbers, holdsCodes({data, size})));
+  if (!numbers || numbers->picture.texelCount() > kMostTexels) return;
+  checkError(heightTexture(heightsOfPicture(numbers->picture).heights, MapEdges::tiled));
+  checkError(slopesOfPicture(numbers->picture, holdsCodes({data, size})));
 }
 
 /// Gives a picture's bytes to all ways to read it: to light, to samples as stored, and to numbers. What claims more
@@ -25,7 +25,7 @@ inline int readPicture(const std::uint8_t* data, std::size_t size) {
   const std::uint64_t before = memoryLimit();
   setMemoryLimit(std::uint64_t{1} << 28);
   checkError(decodeImage({data, size}));
-  checkError(decodeTexture({data, size}));
+  checkError(decodeColorTexture({data, size}));
   readHeights(data, size);
   setMemoryLimit(before);
   return 0;

@@ -125,6 +125,7 @@ struct ComparedSide {
 Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, {.progress = progressBar("reading " + shown(path))})));
+  for (const std::string& oddity : decoded.oddities) remark(path + ": " + oddity);
   const bool is_picture = holdsCodes(bytes) && decoded.gain_map != GainMapUse::applied;
   const ImageKind kind = is_picture ? ImageKind::picture : ImageKind::light;
   if (const NonFinite bad = findNonFinite(decoded.image); repair && bad.count > 0) {

@@ -27,9 +27,10 @@ void flipGreen(Image& normals) {
 }
 
 Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(texels, decodeDataTexture(bytes, progressBar("reading " + shown(input))));
+  MIRRORBALL_TRY(read, decodeDataTexture(bytes, progressBar("reading " + shown(input))));
+  for (const std::string& oddity : read.oddities) remark(input + ": " + oddity);
   Texture texture;
-  MIRRORBALL_TRY(changes, setTexels(std::move(texels), TextureUse::normals, texture));
+  MIRRORBALL_TRY(changes, setTexels(std::move(read.picture), TextureUse::normals, texture));
   if (isGrey(texture.image))
     return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
   for (const std::string& change : changes) remark(input + ": " + change);

@@ -112,8 +112,9 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
   }
   MIRRORBALL_TRY(bytes, readImageFile(input));
   if (!isOfNormals(options.to)) {
-    MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
-    return withName(input, mapOfHeights(heightsOf(std::move(numbers), input), options));
+    MIRRORBALL_TRY(read, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
+    for (const std::string& oddity : read.oddities) remark(input + ": " + oddity);
+    return withName(input, mapOfHeights(heightsOf(std::move(read.picture), input), options));
   }
   MIRRORBALL_TRY(normals, withName(input, readNormals(input, bytes)));
   if (options.to != SurfaceMap::height) return normalsOfModel(std::move(normals), input, options);

@@ -39,19 +39,19 @@ TEST_F(AllFormats, ThoseOfTexturesAreNamed) {
 TEST_F(AllFormats, NumbersAreSharesOfTheGreatestCode) {
   const auto numbers = decodeNumbers(bytesOf("P2 2 1 65535\n1 30000\n"));
   ASSERT_TRUE(numbers);
-  EXPECT_EQ(numbers->channels(), 1);
-  EXPECT_EQ(numbers->samples()[0], 1.0f / 65535.0f);
-  EXPECT_EQ(numbers->samples()[1], 30000.0f / 65535.0f);
+  EXPECT_EQ(numbers->picture.channels(), 1);
+  EXPECT_EQ(numbers->picture.samples()[0], 1.0f / 65535.0f);
+  EXPECT_EQ(numbers->picture.samples()[1], 30000.0f / 65535.0f);
 
   Image8 picture(2, 2, 3, 128);
   ASSERT_TRUE(savePicture(folder_ / "codes.png", picture));
   const auto codes = decodeNumbers(*readFile(folder_ / "codes.png"));
   ASSERT_TRUE(codes);
-  EXPECT_EQ(codes->channels(), 3);
-  EXPECT_EQ(codes->samples()[0], 128.0f / 255.0f);
+  EXPECT_EQ(codes->picture.channels(), 3);
+  EXPECT_EQ(codes->picture.samples()[0], 128.0f / 255.0f);
 
   ASSERT_TRUE(writeImage(folder_ / "light.exr", Image(2, 2, 3, -2.5f)));
-  EXPECT_EQ(decodeNumbers(*readFile(folder_ / "light.exr"))->samples()[0], -2.5f);
+  EXPECT_EQ(decodeNumbers(*readFile(folder_ / "light.exr"))->picture.samples()[0], -2.5f);
   EXPECT_FALSE(decodeNumbers(bytesOf("no picture")));
 }
 

@@ -14,6 +14,7 @@ namespace mirrorball::testing {
 struct DamagedFile {
   const char* name;
   std::function<Bytes()> bytes;
+  bool is_read_in_part = false;  ///< as far as it goes, with a remark, where it ends early
 };
 
 class Damage : public ::testing::TestWithParam<DamagedFile> {};

@@ -50,10 +50,9 @@ constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
     {ImageFormatId::ktx2, kTexture},
     {ImageFormatId::ktx, kTexture},
     {ImageFormatId::dds, kTexture},
-    {ImageFormatId::tga, {.decode = withoutOptions<decodeTga>, .decode_texture = decodeTgaTexture}},
-    {ImageFormatId::bmp, {.decode = withoutOptions<decodeBmp>, .decode_texture = decodeBmpTexture}},
-    {ImageFormatId::pnm,
-     {.decode = withoutOptions<decodePnm>, .decode_texture = decodePnmTexture, .decode_codes = decodePnmCodes}},
+    {ImageFormatId::tga, {.decode_codes = decodeTga}},
+    {ImageFormatId::bmp, {.decode_codes = decodeBmp}},
+    {ImageFormatId::pnm, {.decode_codes = decodePnm}},
     {ImageFormatId::pfm, {.decode = withoutOptions<decodePfm>}},
 });
 

@@ -9,18 +9,17 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 #include "mirrorball/codec/row_reader.h"
 
 namespace mirrorball {
 
 /// How the files of one format are read and written. What is nullptr is not done with it.
 struct FormatCodec {
+  /// To light; nothing where a file's integers are all there is of it, of which imageOf makes it.
   Result<DecodedImage> (*decode)(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) = nullptr;
-  /// To 8-bit RGBA as stored; nothing where the format has no integers, or is none of pictures.
-  Result<Image8> (*decode_texture)(std::span<const std::uint8_t> bytes) = nullptr;
-  /// To the codes as stored; nothing where a format has no more than 8 bits.
-  Result<CodedPicture> (*decode_codes)(std::span<const std::uint8_t> bytes) = nullptr;
+  /// To integers as stored; nothing where the format has none, or is none of pictures.
+  Result<CodedFile> (*decode_codes)(std::span<const std::uint8_t> bytes, CodeForm form) = nullptr;
   /// Whether a file holds integers, of a format whose files may also hold floats.
   bool (*holds_integers)(std::span<const std::uint8_t> bytes) = nullptr;
   /// For reading some rows at a time; see openRows.

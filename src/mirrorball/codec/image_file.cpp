@@ -37,75 +37,46 @@ Result<const FormatCodec*> codecFor(Span bytes) { return FormatRegistry::ofThisB
 
 Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
-  if (codec) return codec->decode(bytes, options);
-  return unknownFormat(bytes, readFormatNames());
-}
-
-Result<Image8> decodeTextureByMagic(Span bytes) {
-  MIRRORBALL_TRY(codec, codecFor(bytes));
-  const std::string right = readFormatNames(Holds::picture) + " for textures";
-  if (!codec) return unknownFormat(bytes, right);
-  if (codec->decode_texture) return codec->decode_texture(bytes);
-  return fail(ErrorCode::unsupported, "is " + std::string(formatOf(*formatBegunBy(bytes)).name) +
-                                          ", which no texture of a model is; use " + right);
+  if (!codec) return unknownFormat(bytes, readFormatNames());
+  if (codec->decode) return codec->decode(bytes, options);
+  MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::stored));
+  return imageOf(std::move(file));
 }
 
 /// The codec of a file that holds integers; nullptr of any other.
 const FormatCodec* codecOfIntegers(Span bytes) {
   const Result<const FormatCodec*> codec = codecFor(bytes);
-  if (!codec || !*codec || !(*codec)->decode_texture) return nullptr;
+  if (!codec || !*codec || !(*codec)->decode_codes) return nullptr;
   return !(*codec)->holds_integers || (*codec)->holds_integers(bytes) ? *codec : nullptr;
 }
 
-Result<Image> decodeNumbersByMagic(Span bytes, const ProgressFunction& progress) {
-  const FormatCodec* codec = codecOfIntegers(bytes);
-  if (!codec) {
-    MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {.progress = progress}));
-    return std::move(decoded.image);
-  }
-  if (codec->decode_codes) {
-    MIRRORBALL_TRY(codes, codec->decode_codes(bytes));
-    return sharesOf(codes);
-  }
-  MIRRORBALL_TRY(codes, codec->decode_texture(bytes));
-  return sharesOf(CodedPicture(std::move(codes)));
+Result<PictureCodes> decodeCodesByMagic(Span bytes) {
+  MIRRORBALL_TRY(codec, codecFor(bytes));
+  const std::string right = readFormatNames(Holds::picture) + " for textures";
+  if (!codec) return unknownFormat(bytes, right);
+  if (!codec->decode_codes)
+    return fail(ErrorCode::unsupported, "is " + std::string(formatOf(*formatBegunBy(bytes)).name) +
+                                            ", which no texture of a model is; use " + right);
+  MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::rgba));
+  return pictureCodesOf(std::move(file));
 }
 
-/// With alpha, which is 1 where there was none.
-Image withAlpha(Image image) {
-  if (image.channels() == 4) return image;
-  Image rgba = Image::withoutValues(image.width(), image.height(), 4);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const glm::vec4 texel = rgbaAt(image, x, y);
-      std::copy_n(&texel.x, 4, rgba.texel(x, y));
-    }
-  return rgba;
+/// What is made of a file: of its integers, or else of its light.
+///
+/// of_codes  (CodedFile) → Decoded<Picture>
+/// of_light  (Image) → Picture
+template <typename Picture, typename OfCodes, typename OfLight>
+Result<Decoded<Picture>> decodeAs(Span bytes, CodeForm form, const ProgressFunction& progress, const OfCodes& of_codes,
+                                  const OfLight& of_light) {
+  if (const FormatCodec* codec = codecOfIntegers(bytes)) {
+    MIRRORBALL_TRY(file, codec->decode_codes(bytes, form));
+    return of_codes(std::move(file));
+  }
+  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {.progress = progress}));
+  return Decoded<Picture>{of_light(std::move(decoded.image)), std::move(decoded.oddities)};
 }
 
-Result<Texels> decodeColorTextureByMagic(Span bytes) {
-  if (codecOfIntegers(bytes)) {
-    MIRRORBALL_TRY(codes, decodeTextureByMagic(bytes));
-    return Texels(std::move(codes));
-  }
-  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {}));
-  return Texels(withAlpha(std::move(decoded.image)));
-}
-
-Result<Texels> decodeDataTextureByMagic(Span bytes, const ProgressFunction& progress) {
-  const FormatCodec* codec = codecOfIntegers(bytes);
-  if (codec && codec->decode_codes) {
-    MIRRORBALL_TRY(codes, codec->decode_codes(bytes));
-    if (std::holds_alternative<Image8>(codes)) return Texels(textureOf(std::move(codes)));
-    return Texels(withAlpha(sharesOf(codes)));
-  }
-  if (codec) {
-    MIRRORBALL_TRY(codes, codec->decode_texture(bytes));
-    return Texels(std::move(codes));
-  }
-  MIRRORBALL_TRY(numbers, decodeNumbersByMagic(bytes, progress));
-  return Texels(withAlpha(std::move(numbers)));
-}
+Texels floatTexels(Image light) { return withAlpha(std::move(light)); }
 
 Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options) {
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
@@ -162,20 +133,29 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
   return writeFile(path, bytes);
 }
 
+Result<PictureCodes> decodeCodes(Span bytes) {
+  return withinMemory<PictureCodes>([&] { return decodeCodesByMagic(bytes); });
+}
+
 Result<Image8> decodeTexture(Span bytes) {
-  return withinMemory<Image8>([&] { return decodeTextureByMagic(bytes); });
+  MIRRORBALL_TRY(picture, decodeCodes(bytes));
+  return std::move(picture.codes);
 }
 
-Result<Texels> decodeColorTexture(Span bytes) {
-  return withinMemory<Texels>([&] { return decodeColorTextureByMagic(bytes); });
+Result<Decoded<Texels>> decodeColorTexture(Span bytes) {
+  return withinMemory<Decoded<Texels>>(
+      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, {}, colorTextureOf, floatTexels); });
 }
 
-Result<Texels> decodeDataTexture(Span bytes, const ProgressFunction& progress) {
-  return withinMemory<Texels>([&] { return decodeDataTextureByMagic(bytes, progress); });
+Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ProgressFunction& progress) {
+  return withinMemory<Decoded<Texels>>(
+      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, progress, dataTextureOf, floatTexels); });
 }
 
-Result<Image> decodeNumbers(Span bytes, const ProgressFunction& progress) {
-  return withinMemory<Image>([&] { return decodeNumbersByMagic(bytes, progress); });
+Result<Decoded<Image>> decodeNumbers(Span bytes, const ProgressFunction& progress) {
+  return withinMemory<Decoded<Image>>([&] {
+    return decodeAs<Image>(bytes, CodeForm::stored, progress, numbersOf, [](Image numbers) { return numbers; });
+  });
 }
 
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {

@@ -11,8 +11,10 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/dither.h"
 #include "mirrorball/codec/color/output_primaries.h"
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -32,7 +34,7 @@ using Metadata = std::map<std::string, std::string>;
 
 /// What became of a gain map, by which a JPEG holds light brighter than white (Ultra HDR, ISO 21496-1).
 enum class GainMapUse {
-  none,     ///< the file speaks of none
+  none,     ///< the file speaks of none, or of one that is damaged, as a remark says
   applied,  ///< the image is the light that picture and gain map hold
   lost,     ///< the file says that it has one, and has lost it: the image is the picture alone
 };
@@ -70,6 +72,21 @@ struct DecodedImage {
 struct ImageReadOptions {
   std::string layer = {};          ///< of a file of several pictures (DecodedImage::layers); empty: the picture
   ProgressFunction progress = {};  ///< told by OpenEXR and TIFF, which take seconds for large compressed pictures
+};
+
+/// What is read of a picture's file, upright, and what is to be said of it.
+template <typename Picture>
+struct Decoded {
+  Picture picture;
+  std::vector<std::string> oddities = {};  ///< DecodedImage's
+};
+
+/// A picture as a camera or a program encoded it.
+struct PictureCodes {
+  Image8 codes;                            ///< 4 channels, alpha straight, upright
+  CodedColor color = {};                   ///< what they stand for, as far as the file says
+  Exif exif = {};                          ///< its orientation is that of the file, not of the codes
+  std::vector<std::string> oddities = {};  ///< DecodedImage's
 };
 
 /// What travels in an OpenEXR file beside its image: "albedo.R", "normal.X".
@@ -117,10 +134,13 @@ bool isImage(std::span<const std::uint8_t> bytes);
 ///          primaries that the format cannot state); io; bad_shape (a number of channels that the format cannot hold)
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
-/// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour
-/// conversion, no gain map); more bits are rounded.
+/// Decodes a picture of integers (PNG, JPEG, TIFF, WebP, AVIF, JPEG XL, TGA, BMP, PNM) to its 8-bit codes, upright and
+/// otherwise as stored: no colour conversion, no gain map; more bits are rounded. Alpha is 255 where the file has none.
 ///
-/// returns  4 channels, alpha straight; alpha 255 where the file has none
+/// errors   as decodeImage's; unsupported: the file holds no integers
+Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
+
+/// The codes alone, of files about which there is nothing to be said.
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
 /// Decodes a picture whose numbers are no colours, such as heights or normals: integers of 8 or 16 bits as shares of
@@ -128,22 +148,23 @@ Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 ///
 /// returns  1, 3 or 4 channels
 /// errors   as decodeImage's
-Result<Image> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<Decoded<Image>> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
-/// Decodes a texture that shows colours: codes of sRGB as decodeTexture does, or linear light of a file that holds it.
+/// Decodes a texture that shows colours: codes of sRGB with 8 bits, into which other colours of a file of integers are
+/// converted as far as they fit; else linear light with Rec.709's primaries.
 ///
 /// returns  4 channels
 /// errors   as decodeImage's
-Result<Texels> decodeColorTexture(std::span<const std::uint8_t> bytes);
+Result<Decoded<Texels>> decodeColorTexture(std::span<const std::uint8_t> bytes);
 
-/// Decodes a texture whose numbers are not colours: codes of 8 bits as decodeTexture does; finer ones, and floats, as
+/// Decodes a texture whose numbers are not colours: codes of 8 bits as they are stored; finer ones, and floats, as
 /// decodeNumbers does.
 ///
 /// returns  4 channels, alpha 1 where the file has none
 /// errors   as decodeImage's
-Result<Texels> decodeDataTexture(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<Decoded<Texels>> decodeDataTexture(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
-/// Whether the bytes begin like a format of integers that decodeTexture takes. A TIFF must also hold integers.
+/// Whether the bytes begin like a format of integers that decodeCodes takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);
 
 /// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.

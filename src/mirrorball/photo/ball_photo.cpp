@@ -79,6 +79,8 @@ std::string pixelsAre(std::size_t count, const std::string& what, bool is_series
 std::vector<std::string> remarksOn(const MergedPhotographs& merged, std::span<const Photograph> photographs) {
   const bool is_series = photographs.size() > 1;
   std::vector<std::string> remarks;
+  for (const Photograph& photograph : photographs)
+    for (const std::string& oddity : photograph.oddities) remarks.push_back(photograph.name + ": " + oddity);
   if (merged.clipped > 0)
     remarks.push_back(pixelsAre(merged.clipped, "white", is_series, "shortest") +
                       ": light there is brighter than recorded; add a shorter exposure");

@@ -7,7 +7,7 @@
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/photo/exif.h"
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/photo/find_ball.h"
 #include "mirrorball/photo/response.h"
 
@@ -40,7 +40,8 @@ struct BallLight {
   std::string name;                       ///< of the first photograph
   Exif exif = {};                         ///< of the one with the middle exposure
   std::string told = {};                  ///< "one photograph, response assumed sRGB"
-  std::vector<std::string> remarks = {};  ///< light that was not recorded, photographs that contradict the others
+  std::vector<std::string> remarks = {};  ///< what is odd about the files, light that was not recorded, photographs
+                                          ///< that contradict the others
   std::optional<Response> curve = {};     ///< the camera's, if this series has shown it
 };
 

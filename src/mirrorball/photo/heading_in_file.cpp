@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/environment/file/photo_sphere.h"
-#include "mirrorball/photo/exif.h"
 
 namespace mirrorball {
 namespace {
@@ -22,7 +22,7 @@ Result<std::optional<CompassHeading>> headingInXmp(std::span<const std::uint8_t>
 }
 
 std::optional<CompassHeading> headingInExif(std::span<const std::uint8_t> bytes) {
-  const Exif exif = readExif(bytes);
+  const Exif exif = readJpegExif(bytes);
   if (!exif.image_direction_deg) return std::nullopt;
   return CompassHeading{.heading_deg = std::fmod(*exif.image_direction_deg, 360.0),
                         .is_magnetic = exif.is_direction_magnetic,

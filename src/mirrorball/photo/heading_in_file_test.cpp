@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/photo/exif_testing.h"
+#include "mirrorball/codec/exif_testing.h"
 
 namespace mirrorball {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/file/recognize.h"
-#include "mirrorball/photo/exif.h"
 
 namespace mirrorball {
 namespace {
@@ -61,7 +61,7 @@ Result<bool> isLikelyPhotograph(const std::filesystem::path& path) {
   if (const auto size = sizeByHeader(bytes)) {
     const auto recognition = recognize(size->x, size->y, {});
     if (recognition && recognition->form.projection == Projection::equirect) return false;
-    if (isJpeg(bytes) && namesCamera(readExif(bytes))) return true;
+    if (namesCamera(readJpegExif(bytes))) return true;
     if (recognition) return false;
   }
   MIRRORBALL_TRY(decoded, withName(path.string(), decodeImage(bytes)));

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/codec/exif_testing.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/codec/left_out_testing.h"
-#include "mirrorball/photo/exif_testing.h"
 
 namespace mirrorball {
 namespace {

@@ -7,6 +7,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/color/primaries.h"
 
 namespace mirrorball {
 namespace {
@@ -36,6 +37,10 @@ Result<void> checkSeries(std::span<const Photograph> photographs) {
     if (photograph.width() != first.width() || photograph.height() != first.height())
       return fail(ErrorCode::bad_shape, photograph.name + ": is " + sizeText(photograph) + ", but " + first.name +
                                             " is " + sizeText(first) + "; a series has one size");
+    if (photograph.color.primaries != first.color.primaries || photograph.color.transfer != first.color.transfer)
+      return fail(ErrorCode::bad_shape, photograph.name + ": says of its colours " +
+                                            describeColor(photograph.color, 3) + ", but " + first.name + " " +
+                                            describeColor(first.color, 3) + "; a series has the same");
     if (photographs.size() > 1 && !photograph.light.empty())
       return fail(ErrorCode::usage, photograph.name + ": is linear light already; give it alone, not in a series");
   }
@@ -163,7 +168,7 @@ double maxStops(const std::vector<double>& stops) {
   return result;
 }
 
-/// The response that the options ask for.
+/// The response that the options ask for; of a single photograph of which they ask for none, sRGB's.
 Result<Response> responseOf(const CodesOfAll& codes, std::span<const double> exposures, const MergeOptions& options) {
   if (options.known) return *options.known;
   if (codes.size() > 1 && !options.response) return recoverResponse(codes, exposures);
@@ -238,7 +243,13 @@ Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photograp
     merged.response = "recovered";
     merged.curve = response;
   }
+  const CodedColor& color = photographs.front().color;
+  if (!options.known && !options.response && photographs.size() == 1 && color.transfer == Transfer::gamma) {
+    response = responseOfPower(color.gamma);
+    merged.response = "the file's gamma " + formatNumber(std::round(color.gamma * 1e3) / 1e3);
+  }
   mergeCodes(codes, exposures, response, merged);
+  convertToRec709(merged.light, color.primaries);
   merged.contradicts_stops = allContradictions(codes, exposures, response, options);
   return merged;
 }

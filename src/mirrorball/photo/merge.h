@@ -34,10 +34,11 @@ inline constexpr double kContradiction_stops = 0.5;
 /// Merges photographs of one static scene, taken from one place with different exposures, into linear light. The
 /// pictures are taken as aligned. Each pixel's light is the mean over the photographs, weighted by the square of the
 /// exposure (the noise of a code's light falls with it) and by the trust in the code; clipped codes have no weight. If
-/// all are clipped, the shortest exposure is used; if all are black, the longest.
+/// all are clipped, the shortest exposure is used; if all are black, the longest. The light of the photographs' own
+/// primaries is converted to Rec.709's at the end.
 ///
 /// photographs  at least one, of one size; a file of linear light stands alone
-/// errors       bad_shape (sizes differ; too little to recover the response from); usage (no exposure times; all the
+/// errors       bad_shape (sizes or primaries differ; too little to recover the response from); usage (no exposure times; all the
 ///              same; a wrong number of them; linear light in a series)
 /// cost         one pass over all pixels; bit-identical for any number of threads
 /// from         Robertson, Borman & Stevenson 2003, "Estimation-theoretic approach to dynamic range enhancement using

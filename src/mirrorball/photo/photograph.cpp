@@ -2,26 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
+namespace {
+
+/// Whether the codes may be a camera's, whose own response is to be found: those of sRGB and of powers.
+bool isOfCamera(const CodedColor& color) {
+  return color.transfer == Transfer::srgb || color.transfer == Transfer::gamma;
+}
+
+}  // namespace
 
 Result<Photograph> readPhotograph(const std::filesystem::path& path) {
-  Photograph photograph{.name = path.string(), .codes = {}, .light = {}, .exif = {}};
+  Photograph photograph{.name = path.string(), .codes = {}, .light = {}};
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  if (isJpeg(bytes)) photograph.exif = readExif(bytes);
   if (holdsCodes(bytes)) {
-    MIRRORBALL_TRY(codes, withName(photograph.name, decodeTexture(bytes)));
-    photograph.codes = upright(std::move(codes), photograph.exif.orientation);
-    return photograph;
+    MIRRORBALL_TRY(read, withName(photograph.name, decodeCodes(bytes)));
+    photograph.exif = read.exif;
+    if (isOfCamera(read.color)) {
+      photograph.codes = std::move(read.codes);
+      photograph.color = std::move(read.color);
+      photograph.oddities = std::move(read.oddities);
+      return photograph;
+    }
   }
   MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes)));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
     return fail(ErrorCode::non_finite, photograph.name + ": " + textOf(bad));
   photograph.light = std::move(decoded.image);
+  photograph.oddities = std::move(decoded.oddities);
   return photograph;
 }
 

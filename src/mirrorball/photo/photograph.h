@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/color/coded_color.h"
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/photo/exif.h"
 
 namespace mirrorball {
 
@@ -15,15 +16,18 @@ namespace mirrorball {
 /// curve (response.h), or already linear light.
 struct Photograph {
   std::string name;  ///< the file, for messages
-  Image8 codes;      ///< 4 channels, RGB as stored; empty where the file holds floats
-  Image light;       ///< linear light of such a file; else empty
-  Exif exif;
+  Image8 codes;      ///< 4 channels, RGB as stored; empty where the file says what light it holds
+  Image light;       ///< linear light of such a file, with Rec.709's primaries; else empty
+  Exif exif = {};
+  CodedColor color = {};                   ///< of the codes; a camera may not keep to its curve
+  std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
 
   int width() const { return codes.empty() ? light.width() : codes.width(); }
   int height() const { return codes.empty() ? light.height() : codes.height(); }
 };
 
-/// Reads a photograph and applies its EXIF orientation. Integers of 16 bits are rounded to 8.
+/// Reads a photograph, upright. Integers of 16 bits are rounded to 8. Floats are linear light, and so are codes of PQ,
+/// HLG and other curves that are not a camera's.
 ///
 /// errors   whatever the codec finds; non_finite in linear light
 Result<Photograph> readPhotograph(const std::filesystem::path& path);

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/codec/exif_testing.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/codec/left_out_testing.h"
-#include "mirrorball/photo/exif_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -42,43 +42,6 @@ Image8 marked() {
   return picture;
 }
 Bytes jpegOf(const Image8& picture) { return *encodeJpeg(picture, {}); }
-
-TEST_F(PhotographTest, ReadsWhatTheCameraWrote) {
-  const Exif written{.exposure_time_s = 0.004, .f_number = 5.6, .iso = 200, .focal_length_35mm = 50, .orientation = 6};
-  const Exif read = readExif(withExif(jpegOf(marked()), written));
-  EXPECT_NEAR(read.exposure_time_s.value(), 0.004, 1e-9);
-  EXPECT_NEAR(read.f_number.value(), 5.6, 1e-9);
-  EXPECT_EQ(read.iso, 200.0);
-  EXPECT_EQ(read.focal_length_35mm, 50.0);
-  EXPECT_EQ(read.orientation, 6);
-}
-
-TEST_F(PhotographTest, WithoutExifNothingIsKnown) {
-  const Exif read = readExif(jpegOf(marked()));
-  EXPECT_FALSE(read.exposure_time_s || read.f_number || read.iso || read.focal_length_35mm);
-  EXPECT_EQ(read.orientation, 1);
-}
-
-TEST_F(PhotographTest, ZeroIsNoValue) {
-  const Exif read = readExif(
-      withExif(jpegOf(marked()),
-               {.exposure_time_s = 0.0, .f_number = {}, .iso = 0.0, .focal_length_35mm = 0.0, .orientation = 0}));
-  EXPECT_FALSE(read.exposure_time_s || read.iso || read.focal_length_35mm);
-  EXPECT_EQ(read.orientation, 1);
-}
-
-TEST_F(PhotographTest, ADamagedSegmentIsNoReasonToStop) {
-  const Bytes whole =
-      withExif(jpegOf(marked()),
-               {.exposure_time_s = 0.004, .f_number = 8.0, .iso = 100.0, .focal_length_35mm = 35.0, .orientation = 3});
-  for (std::size_t at = 4; at < 150; ++at) {
-    Bytes damaged = whole;
-    damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ 0xa5);
-    const Exif read = readExif(damaged);
-    EXPECT_TRUE(!read.exposure_time_s || *read.exposure_time_s > 0.0);
-    readExif(std::span(whole).first(at));
-  }
-}
 
 // Where the white quarter of the stored picture is shown, by the table of tag 274.
 TEST_F(PhotographTest, OrientationIsApplied) {

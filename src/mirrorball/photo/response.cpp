@@ -122,19 +122,26 @@ std::array<float, kCodes> lightFromLogarithm(const std::vector<double>& logarith
   return light;
 }
 
-}  // namespace
-
-Response assumedResponse(ResponseKind kind) {
-  const auto curve = [kind](float encoded) {
-    if (kind == ResponseKind::srgb) return formula::linearFromSrgb1(encoded);
-    return kind == ResponseKind::gamma ? std::pow(encoded, 2.2f) : encoded;
-  };
+/// Of one curve for the three channels, scaled alike.
+template <typename Curve>
+Response responseBy(const Curve& curve) {
   const float grey = kGreyCode / 255.0f;
   const float scale = formula::linearFromSrgb1(grey) / curve(grey);
   Response response;
   for (auto& channel : response.light)
     for (std::size_t code = 0; code < kCodes; ++code) channel[code] = scale * curve(static_cast<float>(code) / 255.0f);
   return response;
+}
+
+}  // namespace
+
+Response assumedResponse(ResponseKind kind) {
+  if (kind == ResponseKind::srgb) return responseBy([](float encoded) { return formula::linearFromSrgb1(encoded); });
+  return responseOfPower(kind == ResponseKind::gamma ? 2.2 : 1.0);
+}
+
+Response responseOfPower(double power) {
+  return responseBy([power](float encoded) { return std::pow(encoded, static_cast<float>(power)); });
 }
 
 void forEachSmoothPlace(std::span<const Image8* const> codes,

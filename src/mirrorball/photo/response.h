@@ -21,6 +21,11 @@ enum class ResponseKind { srgb, gamma, linear };
 /// The sRGB curve, a power of 2.2, or proportional.
 Response assumedResponse(ResponseKind kind);
 
+/// The light of a code to that power.
+///
+/// power    > 0
+Response responseOfPower(double power);
+
 /// Recovers the response from photographs of one static scene with different exposures.
 ///
 /// Debevec & Malik's least squares for ln light of each code: every sample says that two codes differ by the ratio of

@@ -13,18 +13,21 @@ namespace mirrorball {
 
 namespace {
 
-Result<Texels> decodeWithin(MemoryBudget& budget, const EncodedPicture& picture) {
+Result<Texels> decodeWithin(MemoryBudget& budget, const EncodedPicture& picture, std::vector<std::string>& oddities) {
   MemoryShare share(budget);
-  MIRRORBALL_TRY(image, picture.shows_colors ? decodeColorTexture(picture.bytes) : decodeDataTexture(picture.bytes));
-  MIRRORBALL_TRY_VOID(share.keep(std::visit([](const auto& texels) { return texels.samples().size_bytes(); }, image)));
-  return image;
+  MIRRORBALL_TRY(read, picture.shows_colors ? decodeColorTexture(picture.bytes) : decodeDataTexture(picture.bytes));
+  const auto bytesOf = [](const auto& texels) { return texels.samples().size_bytes(); };
+  MIRRORBALL_TRY_VOID(share.keep(std::visit(bytesOf, read.picture)));
+  oddities = std::move(read.oddities);
+  return std::move(read.picture);
 }
 
 }  // namespace
 
 std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
-                                           const ProgressFunction& progress) {
+                                           const ProgressFunction& progress, const PictureRemark& remark) {
   std::vector<Result<Texels>> images(pictures.size());
+  std::vector<std::vector<std::string>> oddities(pictures.size());
   // The largest first, so that at the end no processor is left alone with one.
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -41,10 +44,12 @@ std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictu
         images[i] = tl::unexpected<Error>(goes_on.error());
         continue;
       }
-      images[i] = decodeWithin(budget, pictures[i]);
+      images[i] = decodeWithin(budget, pictures[i], oddities[i]);
       counter.advance(pictures[i].bytes.size());
     }
   });
+  for (std::size_t i = 0; remark && i < pictures.size(); ++i)
+    for (const std::string& oddity : oddities[i]) remark(i, oddity);
   return images;
 }
 

@@ -115,6 +115,31 @@ CodedColor codedColor(int primaries, int transfer) {
   return color;
 }
 
+CodedColor codedColor(const TransferCurve& curve, const std::optional<Primaries>& primaries) {
+  if (!curve.power) return {.primaries = primaries};
+  return {*curve.power == 1.0 ? Transfer::linear : Transfer::gamma, *curve.power, primaries};
+}
+
+bool isSrgb(const CodedColor& color) {
+  return color.transfer == Transfer::srgb && !(color.primaries && rec709FromPrimaries(*color.primaries));
+}
+
+std::optional<TransferCurve> curveOf(const CodedColor& color) {
+  switch (color.transfer) {
+    case Transfer::srgb:
+      return kSrgbCurve;
+    case Transfer::linear:
+      return kLinearLight;
+    case Transfer::gamma:
+      return TransferCurve{color.gamma};
+    case Transfer::rec709:
+    case Transfer::pq:
+    case Transfer::hlg:
+      break;
+  }
+  return std::nullopt;
+}
+
 int codePointOf(OutputPrimaries primaries) {
   constexpr int kRec709Number = 1;
   constexpr int kRec2020Number = 9;
@@ -141,6 +166,9 @@ void decodeColor(Image& codes, const CodedColor& color) {
 }
 
 std::string describeColor(const CodedColor& color, int channels) {
+  if (color.unread_profile.starts_with("sRGB")) return "sRGB";
+  if (!color.unread_profile.empty())
+    return "sRGB assumed: its ICC profile (" + color.unread_profile + ") is not applied";
   const auto named = [&](std::string_view name) {
     constexpr std::string_view kLinear = "linear";
     return std::string(name) + describeColor(kLinearLight, color.primaries, channels).substr(kLinear.size());
@@ -153,13 +181,11 @@ std::string describeColor(const CodedColor& color, int channels) {
     case Transfer::hlg:
       return named("HLG");
     case Transfer::linear:
-      return describeColor(kLinearLight, color.primaries, channels);
     case Transfer::gamma:
-      return describeColor(TransferCurve{color.gamma}, color.primaries, channels);
     case Transfer::srgb:
       break;
   }
-  return describeColor(kSrgbCurve, color.primaries, channels);
+  return describeColor(*curveOf(color), color.primaries, channels);
 }
 
 }  // namespace mirrorball

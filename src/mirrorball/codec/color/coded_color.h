@@ -17,6 +17,8 @@ struct CodedColor {
   Transfer transfer = Transfer::srgb;
   double gamma = 1.0;                       ///< of Transfer::gamma: light is the code to this power
   std::optional<Primaries> primaries = {};  ///< nothing: Rec.709's
+  /// What an ICC profile calls itself that is not understood and so not applied, in whose place sRGB is assumed.
+  std::string unread_profile = {};
 };
 
 /// The radiance of white, by which PQ and HLG, which state absolute light, become relative [cd/m²].
@@ -28,6 +30,16 @@ inline constexpr float kGraphicsWhite = 203.0f;
 /// nothing, or that are not known, mean sRGB.
 CodedColor codedColor(int primaries, int transfer);
 
+/// Of a curve and primaries that a file states by themselves.
+CodedColor codedColor(const TransferCurve& curve, const std::optional<Primaries>& primaries);
+
+/// Whether codes with 1, 3 or 4 channels are sRGB's as they are, as far as is known.
+bool isSrgb(const CodedColor& color);
+
+/// The curve by which the light of each code can be told by itself and relative to white; nothing: PQ's, HLG's and
+/// Rec.709's.
+std::optional<TransferCurve> curveOf(const CodedColor& color);
+
 /// The number of primaries there, of any but ACEScg's, which has none.
 int codePointOf(OutputPrimaries primaries);
 
@@ -38,7 +50,8 @@ int codePointOf(OutputPrimaries primaries);
 ///          item 1.2
 void decodeColor(Image& codes, const CodedColor& color);
 
-/// What `info` says of it.
+/// What `info` says of it: of a profile that is not understood, that it is not applied, but for one that is sRGB's by
+/// its name.
 std::string describeColor(const CodedColor& color, int channels);
 
 }  // namespace mirrorball

@@ -163,11 +163,9 @@ IccProfile readIccProfile(Span bytes) {
   return profile;
 }
 
-std::string describeColor(const IccProfile& profile, int channels) {
-  if (profile.is_understood || profile.description.empty())
-    return describeColor(profile.curve, profile.primaries, channels);
-  if (profile.description.starts_with("sRGB")) return "sRGB";
-  return "sRGB assumed: its ICC profile (" + profile.description + ") is not applied";
+CodedColor codedColor(const IccProfile& profile) {
+  if (!profile.is_understood) return {.unread_profile = profile.description};
+  return codedColor(profile.curve, profile.primaries);
 }
 
 }  // namespace mirrorball

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/primaries.h"
 
 namespace mirrorball {
@@ -28,8 +29,7 @@ struct IccProfile {
 ///          (textDescriptionType)
 IccProfile readIccProfile(std::span<const std::uint8_t> bytes);
 
-/// What `info` says of the colours of a picture with that profile, or with none: of one that is not understood, that it
-/// is not applied; sRGB's by its name need not be.
-std::string describeColor(const IccProfile& profile, int channels);
+/// What a profile says of codes; without one they are sRGB's.
+CodedColor codedColor(const IccProfile& profile);
 
 }  // namespace mirrorball

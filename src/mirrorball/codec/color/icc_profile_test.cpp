@@ -34,10 +34,10 @@ TEST(IccProfile, DamageLeavesItUnnamed) {
 }
 
 TEST(IccProfile, OnlySrgbsOwnNeedsNoWord) {
-  EXPECT_EQ(describeColor(readIccProfile(iccProfile("sRGB IEC61966-2.1")), 3), "sRGB");
-  EXPECT_EQ(describeColor(readIccProfile(iccProfile("Display P3")), 3),
+  EXPECT_EQ(describeColor(codedColor(readIccProfile(iccProfile("sRGB IEC61966-2.1"))), 3), "sRGB");
+  EXPECT_EQ(describeColor(codedColor(readIccProfile(iccProfile("Display P3"))), 3),
             "sRGB assumed: its ICC profile (Display P3) is not applied");
-  EXPECT_EQ(describeColor(IccProfile{}, 3), "sRGB");
+  EXPECT_EQ(describeColor(codedColor(IccProfile{}), 3), "sRGB");
 }
 
 TEST(IccProfile, AMatrixIsPrimaries) {
@@ -46,9 +46,9 @@ TEST(IccProfile, AMatrixIsPrimaries) {
   EXPECT_FALSE(p3.curve.power) << "sRGB's";
   EXPECT_NEAR(p3.primaries->green.x, 0.265, 1e-4);
   EXPECT_NEAR(p3.primaries->green.y, 0.690, 1e-4);
-  EXPECT_EQ(describeColor(p3, 3), "sRGB, primaries of the file (Display P3): converted");
+  EXPECT_EQ(describeColor(codedColor(p3), 3), "sRGB, primaries of the file (Display P3): converted");
   const IccProfile srgb = readIccProfile(iccMatrixProfile("camera", kSrgbColumns, testing::iccSrgbCurve()));
-  EXPECT_EQ(describeColor(srgb, 3), "sRGB");
+  EXPECT_EQ(describeColor(codedColor(srgb), 3), "sRGB");
   EXPECT_FALSE(rec709FromPrimaries(*srgb.primaries)) << "nothing is converted";
 }
 

@@ -16,6 +16,8 @@ struct Primaries {
   glm::dvec2 green;
   glm::dvec2 blue;
   glm::dvec2 white;
+
+  bool operator==(const Primaries&) const = default;
 };
 
 inline constexpr glm::dvec2 kD65{0.3127, 0.3290};

@@ -10,12 +10,9 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/icc_profile.h"
-#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/ldr/av1_size.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
-#include "mirrorball/image/upright.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 
 namespace mirrorball {
 namespace {
@@ -85,15 +82,14 @@ bool canBeTriedByAom(const avifDecoder& decoder, Span bytes) {
          avifCodecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE) != nullptr;
 }
 
-/// HEIF turns a picture first, against the clock, and then mirrors it (ISO/IEC 23008-12:2017, 6.5.10 and 6.5.12).
-template <typename Sample>
-ImageOf<Sample> uprightAvif(ImageOf<Sample> stored, const avifImage& image) {
-  constexpr int kOfQuarters[]{1, 8, 3, 6};  // as cameras number them
-  if ((image.transformFlags & AVIF_TRANSFORM_IROT) != 0)
-    stored = upright(std::move(stored), kOfQuarters[image.irot.angle & 3]);
-  if ((image.transformFlags & AVIF_TRANSFORM_IMIR) != 0)
-    stored = upright(std::move(stored), image.imir.mode == 0 ? 4 : 2);
-  return stored;
+/// As cameras number it. HEIF turns a picture first, against the clock, and then mirrors it: its upper half to the
+/// lower, or its left to the right.
+int orientationOf(const avifImage& image) {
+  constexpr int kTurned[]{1, 8, 3, 6};
+  constexpr int kTurnedAndMirrored[2][4]{{4, 5, 2, 7}, {2, 7, 4, 5}};
+  const int quarters = (image.transformFlags & AVIF_TRANSFORM_IROT) != 0 ? image.irot.angle & 3 : 0;
+  if ((image.transformFlags & AVIF_TRANSFORM_IMIR) == 0) return kTurned[quarters];
+  return kTurnedAndMirrored[image.imir.mode == 0 ? 0 : 1][quarters];
 }
 
 template <typename Sample>
@@ -107,12 +103,12 @@ Result<ImageOf<Sample>> codesOfAvif(const avifImage& image, int channels, std::s
   rgb.rowBytes = static_cast<std::uint32_t>(std::size_t(image.width) * std::size_t(channels) * sizeof(Sample));
   const avifResult result = avifImageYUVToRGB(&image, &rgb);
   if (result != AVIF_RESULT_OK) return avifFailure(result, size);
-  return uprightAvif(std::move(codes), image);
+  return codes;
 }
 
 /// The picture of a decoder that has parsed the file; it may give way to another one. Alpha that is all opaque is
 /// there, too.
-Result<CodedPicture> pictureOf(AvifDecoder& decoder, int max_depth, Span bytes) {
+Result<CodedPicture> pictureOf(AvifDecoder& decoder, CodeForm form, Span bytes) {
   avifResult result = avifDecoderNextImage(decoder.get());
   if (result == AVIF_RESULT_DECODE_COLOR_FAILED && canBeTriedByAom(*decoder, bytes)) {
     MIRRORBALL_TRY(other, parsedAvif(bytes, AVIF_CODEC_CHOICE_AOM));
@@ -122,8 +118,8 @@ Result<CodedPicture> pictureOf(AvifDecoder& decoder, int max_depth, Span bytes) 
   if (result != AVIF_RESULT_OK) return avifFailure(result, bytes.size());
   const std::size_t size = bytes.size();
   const avifImage& image = *decoder->image;
-  const int channels = image.alphaPlane != nullptr ? 4 : 3;
-  if (image.depth <= 8 || max_depth <= 8) {
+  const int channels = form == CodeForm::rgba || image.alphaPlane != nullptr ? 4 : 3;
+  if (image.depth <= 8) {
     MIRRORBALL_TRY(codes, codesOfAvif<std::uint8_t>(image, channels, size));
     return CodedPicture(std::move(codes));
   }
@@ -133,38 +129,19 @@ Result<CodedPicture> pictureOf(AvifDecoder& decoder, int max_depth, Span bytes) 
 
 }  // namespace
 
-Result<DecodedImage> decodeAvif(Span bytes) {
+Result<CodedFile> decodeAvif(Span bytes, CodeForm form) {
   MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  MIRRORBALL_TRY(picture, pictureOf(decoder, 16, bytes));
+  MIRRORBALL_TRY(picture, pictureOf(decoder, form, bytes));
   const avifImage& image = *decoder->image;
-  std::string format = "AVIF, " + std::to_string(image.depth) + " bits";
-  if (image.icc.size > 0) {
-    const IccProfile profile = readIccProfile({image.icc.data, image.icc.size});
-    Image light = lightOf(picture, profile.curve);
-    convertToRec709(light, profile.primaries);
-    std::string stated = describeColor(profile, light.channels());
-    return DecodedImage{std::move(light), {}, std::move(format), std::move(stated)};
-  }
-  const CodedColor color = codedColor(image.colorPrimaries, image.transferCharacteristics);
-  Image light = sharesOf(picture);
-  decodeColor(light, color);
-  const int channels = light.channels();
-  return DecodedImage{std::move(light), {}, std::move(format), describeColor(color, channels)};
+  CodedColor color = image.icc.size > 0 ? codedColor(readIccProfile({image.icc.data, image.icc.size}))
+                                        : codedColor(image.colorPrimaries, image.transferCharacteristics);
+  return CodedFile{.codes = std::move(picture),
+                   .color = std::move(color),
+                   .orientation = orientationOf(image),
+                   .orientation_source = "header",
+                   .format = "AVIF, " + std::to_string(image.depth) + " bits"};
 }
 
-Result<Image8> decodeAvifTexture(Span bytes) {
-  MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  MIRRORBALL_TRY(picture, pictureOf(decoder, 8, bytes));
-  return textureOf(std::move(picture));
-}
-
-Result<CodedPicture> decodeAvifCodes(Span bytes) {
-  MIRRORBALL_TRY(decoder, parsedAvif(bytes));
-  return pictureOf(decoder, 16, bytes);
-}
-
-FormatCodec avifCodec() {
-  return {.decode = withoutOptions<decodeAvif>, .decode_texture = decodeAvifTexture, .decode_codes = decodeAvifCodes};
-}
+FormatCodec avifCodec() { return {.decode_codes = decodeAvif}; }
 
 }  // namespace mirrorball

@@ -8,17 +8,12 @@
 
 namespace mirrorball {
 
-/// Decodes an AVIF picture of 8, 10 or 12 bits, with or without alpha, to linear light by what it says of its codes
-/// (color/coded_color.h), upright as it says.
+/// Decodes an AVIF picture of 8, 10 or 12 bits, the last two as 16, to 3 channels, or 4 with alpha. How it lies is said
+/// by its properties irot and imir; the orientation in its EXIF means nothing.
 ///
 /// errors   bad_file; too_large; unsupported (an animation)
-Result<DecodedImage> decodeAvif(std::span<const std::uint8_t> bytes);
-
-/// Decodes one to 8-bit RGBA as stored.
-Result<Image8> decodeAvifTexture(std::span<const std::uint8_t> bytes);
-
-/// Decodes one to its codes: 3 or 4 channels; of 10 and 12 bits as 16.
-Result<CodedPicture> decodeAvifCodes(std::span<const std::uint8_t> bytes);
+/// from     ISO/IEC 23008-12:2017, 6.5.10 and 6.5.12 (irot, imir), A.2.1 (EXIF's orientation)
+Result<CodedFile> decodeAvif(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 /// For the registry of formats.
 FormatCodec avifCodec();

@@ -13,8 +13,10 @@
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/avif_testing.h"
+#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
 namespace {
@@ -31,7 +33,7 @@ TEST(Avif, EightBitsComeBack) {
     const Image8 source = avifPicture(channels);
     const Bytes bytes = avifFile(source);
     EXPECT_TRUE(isAvif(bytes));
-    const auto image = decodeAvif(bytes);
+    const auto image = decodeImage(bytes);
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_EQ(image->format, "AVIF, 8 bits");
     EXPECT_EQ(image->color, "sRGB");
@@ -39,7 +41,7 @@ TEST(Avif, EightBitsComeBack) {
     ASSERT_EQ(image->image.channels(), channels);
     for (std::size_t i = 0; i < light.samples().size(); ++i)
       ASSERT_NEAR(image->image.samples()[i], light.samples()[i], 1e-5f) << i;
-    const auto texture = decodeAvifTexture(bytes);
+    const auto texture = decodeTexture(bytes);
     ASSERT_TRUE(texture);
     EXPECT_EQ(texture->channels(), 4);
     EXPECT_EQ(texture->texel(5, 6)[1], source.texel(5, 6)[1]);
@@ -51,27 +53,38 @@ TEST(Avif, TwelveBitsOfPqAreLight) {
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 8; ++y)
       for (int c = 0; c < 3; ++c) codes.texel(x, y)[c] = static_cast<std::uint16_t>(x * 585);
-  const auto image = decodeAvif(avifFile(codes, AvifForm{.depth = 12, .primaries = 9, .transfer = 16}));
+  const auto image = decodeImage(avifFile(codes, AvifForm{.depth = 12, .primaries = 9, .transfer = 16}));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->format, "AVIF, 12 bits");
   EXPECT_EQ(image->color, "PQ, primaries of the file (Rec.2020): converted");
   EXPECT_NEAR(image->image.texel(7, 3)[1], 10000.0f / 203.0f, 0.1f);
   EXPECT_NEAR(image->image.texel(0, 3)[1], 0.0f, 1e-5f);
-  const auto stored = decodeAvifCodes(avifFile(codes, AvifForm{.depth = 12}));
+  const auto stored = decodeAvif(avifFile(codes, AvifForm{.depth = 12}));
   ASSERT_TRUE(stored);
-  EXPECT_NEAR(std::get<ImageOf<std::uint16_t>>(*stored).texel(3, 3)[0], 3 * 585 * 65535 / 4095, 1);
+  EXPECT_NEAR(std::get<ImageOf<std::uint16_t>>(stored->codes).texel(3, 3)[0], 3 * 585 * 65535 / 4095, 1);
 }
 
 TEST(Avif, IsUpright) {
   const Image8 source = avifPicture(3);
-  const auto turned = decodeAvifTexture(avifFile(source, AvifForm{.quarters = 1}));
+  const auto turned = decodeTexture(avifFile(source, AvifForm{.quarters = 1}));
   ASSERT_TRUE(turned);
   ASSERT_EQ(turned->width(), source.height());
   // Against the clock: what is on the right comes to the top.
   EXPECT_EQ(turned->texel(2, 0)[0], source.texel(source.width() - 1, 2)[0]);
-  const auto mirrored = decodeAvifTexture(avifFile(source, AvifForm{.mirrors = true}));
+  const auto mirrored = decodeTexture(avifFile(source, AvifForm{.mirrors = true}));
   ASSERT_TRUE(mirrored);
   EXPECT_EQ(mirrored->texel(0, 4)[1], source.texel(source.width() - 1, 4)[1]);
+  // First turned, a quarter after the other, and then mirrored.
+  Image8 expected = source;
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    const auto both = decodeCodes(avifFile(source, AvifForm{.quarters = quarters, .mirrors = true}));
+    ASSERT_TRUE(both);
+    const Image8 last = upright(Image8(expected), 2);
+    ASSERT_EQ(both->codes.width(), last.width());
+    EXPECT_EQ(both->codes.texel(3, 1)[0], last.texel(3, 1)[0]) << quarters;
+    EXPECT_EQ(both->oddities.size(), 1u);
+    expected = upright(std::move(expected), 8);
+  }
 }
 
 /// A grey picture.
@@ -91,7 +104,7 @@ Bytes flatAvif(int side) {
 
 // Where the levels of AV1 end, dav1d gives up, and libaom goes on.
 TEST(AvifLarge, MayHaveMoreTexelsThanTheLevelsOfAv1) {
-  const auto texture = decodeAvifTexture(flatAvif(5984));
+  const auto texture = decodeTexture(flatAvif(5984));
   ASSERT_TRUE(texture) << texture.error().message;
   EXPECT_EQ(texture->width(), 5984);
   EXPECT_NEAR(texture->texel(5983, 5983)[0], 128, 1);
@@ -109,12 +122,12 @@ Bytes sayingSize(Bytes bytes, std::uint8_t side) {
 
 TEST(Avif, DataThatIsLargerThanTheFileSaysTakesNoMoreMemory) {
   const Bytes small = sayingSize(flatAvif(1024), 16);
-  const auto scaled = decodeAvif(small);
+  const auto scaled = decodeImage(small);
   ASSERT_TRUE(scaled) << scaled.error().message;
   EXPECT_EQ(scaled->image.width(), 16) << "libavif scales it";
   const std::uint64_t usual = memoryLimit();
   setMemoryLimit(std::uint64_t{8} << 20u);
-  const auto refused = decodeAvif(small);
+  const auto refused = decodeImage(small);
   setMemoryLimit(usual);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large) << refused.error().message;

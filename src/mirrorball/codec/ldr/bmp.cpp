@@ -246,11 +246,6 @@ std::uint8_t indexAt(std::uint32_t bits, const std::uint8_t* row, std::size_t x)
   return static_cast<std::uint8_t>(row[bit / 8] >> (8 - bits - bit % 8) & ((1u << bits) - 1));
 }
 
-struct BmpPicture {
-  BmpHeader header;
-  CodedPicture codes;
-};
-
 /// The rows of texels, or of a palette's indices, from the top of the picture.
 class Rows {
  public:
@@ -290,8 +285,7 @@ Result<void> fillFromPalette(const BmpHeader& header, const Rows& rows, const st
   return {};
 }
 
-Result<BmpPicture> readBmpPicture(Span bytes) {
-  MIRRORBALL_TRY(header, readBmpHeader(bytes));
+Result<Image8> readBmpPicture(const BmpHeader& header, Span bytes) {
   MIRRORBALL_TRY_VOID(checkTexels(header, bytes));
   MIRRORBALL_TRY(palette, readPalette(header, bytes));
   Span texels = bytes.subspan(header.texels_at);
@@ -309,7 +303,7 @@ Result<BmpPicture> readBmpPicture(Span bytes) {
   } else {
     fillFromMasks(header, rows, picture);
   }
-  return BmpPicture{header, std::move(picture)};
+  return picture;
 }
 
 /// The embedded ICC profile, if there is one.
@@ -329,21 +323,14 @@ bool isBmp(Span bytes) {
   return bytes.size() >= kFileHeader + 4 && bytes[0] == 'B' && bytes[1] == 'M' && bytes[16] == 0 && bytes[17] == 0;
 }
 
-Result<DecodedImage> decodeBmp(Span bytes) {
-  MIRRORBALL_TRY(picture, readBmpPicture(bytes));
-  const IccProfile profile = bmpProfile(picture.header, bytes);
-  Image light = lightOf(picture.codes, profile.curve);
-  convertToRec709(light, profile.primaries);
-  std::string format = "BMP, " + std::to_string(picture.header.bits) + " bit";
-  if (picture.header.hasPalette()) format += " palette";
-  if (picture.header.isRunLengthCoded()) format += ", RLE";
-  std::string color = describeColor(profile, light.channels());
-  return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
-}
-
-Result<Image8> decodeBmpTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readBmpPicture(bytes));
-  return textureOf(std::move(picture.codes));
+Result<CodedFile> decodeBmp(Span bytes, CodeForm) {
+  MIRRORBALL_TRY(header, readBmpHeader(bytes));
+  MIRRORBALL_TRY(picture, readBmpPicture(header, bytes));
+  std::string format = "BMP, " + std::to_string(header.bits) + " bit";
+  if (header.hasPalette()) format += " palette";
+  if (header.isRunLengthCoded()) format += ", RLE";
+  return CodedFile{
+      .codes = std::move(picture), .color = codedColor(bmpProfile(header, bytes)), .format = std::move(format)};
 }
 
 }  // namespace mirrorball

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 
 namespace mirrorball {
 
@@ -18,9 +18,6 @@ bool isBmp(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large; unsupported (JPEG or PNG inside, OS/2's own compressions, 64 bits)
 /// from     Microsoft, "Windows GDI: Bitmap Storage" and [MS-WMF] 2.2.2.3; OS/2 2.0 Presentation Manager Reference
-Result<DecodedImage> decodeBmp(std::span<const std::uint8_t> bytes);
-
-/// Decodes a bitmap to 8-bit RGBA as stored.
-Result<Image8> decodeBmpTexture(std::span<const std::uint8_t> bytes);
+Result<CodedFile> decodeBmp(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 }  // namespace mirrorball

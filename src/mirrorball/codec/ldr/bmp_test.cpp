@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/picture_testing.h"
 
@@ -15,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<int> codesOfBmp(const Bytes& bytes) {
-  const auto texture = decodeBmpTexture(bytes);
+  const auto texture = decodeTexture(bytes);
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
@@ -39,7 +40,7 @@ TEST(Bmp, RowsRunUpUnlessTheHeightIsNegative) {
   const Bytes texels{3, 2, 1, 0, 6, 5, 4, 0};  // each row padded to four bytes
   EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
   EXPECT_THAT(codesOfBmp(bmpFile({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
-  const auto image = decodeBmp(bmpFile({.width = 1, .height = 2}, texels));
+  const auto image = decodeImage(bmpFile({.width = 1, .height = 2}, texels));
   EXPECT_EQ(image->format, "BMP, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
   EXPECT_EQ(image->image.channels(), 3);
@@ -87,7 +88,7 @@ TEST(Bmp, OnlyAMaskMakesAlpha) {
                               .compression = 3,
                               .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
   EXPECT_THAT(codesOfBmp(bmpFile(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
-  EXPECT_EQ(decodeBmp(bmpFile(form, {3, 2, 1, 9}))->image.channels(), 4);
+  EXPECT_EQ(decodeImage(bmpFile(form, {3, 2, 1, 9}))->image.channels(), 4);
 }
 
 TEST(Bmp, RunsLiteralsAndSkips) {
@@ -102,7 +103,7 @@ TEST(Bmp, RunsLiteralsAndSkips) {
   testing::BmpForm cut = rle8;
   cut.palette = {0, 1, 2};
   EXPECT_THAT(refusedBmp(bmpFile(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
-  EXPECT_EQ(decodeBmp(bmpFile(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
+  EXPECT_EQ(decodeImage(bmpFile(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
 }
 
 TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
@@ -116,9 +117,10 @@ TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
 
 TEST(Bmp, AProfileIsNamedAndOneOfAMatrixConverted) {
   testing::BmpForm form{.header = 124, .width = 1, .height = 1, .profile = testing::iccProfile("Display P3")};
-  EXPECT_EQ(decodeBmp(bmpFile(form, {3, 2, 1, 0}))->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(decodeImage(bmpFile(form, {3, 2, 1, 0}))->color,
+            "sRGB assumed: its ICC profile (Display P3) is not applied");
   form.profile = testing::iccDisplayP3();
-  const auto green = decodeBmp(bmpFile(form, {0, 255, 0, 0}));
+  const auto green = decodeImage(bmpFile(form, {0, 255, 0, 0}));
   EXPECT_EQ(green->color, "sRGB, primaries of the file (Display P3): converted");
   EXPECT_NEAR(green->image.samples()[0], -0.2249f, 1e-3f);  // the inverse of P3's matrix from sRGB, CSS Color 4
 }

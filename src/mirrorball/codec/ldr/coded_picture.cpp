@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "mirrorball/base/memory.h"
@@ -39,6 +40,12 @@ Image8 rgba8Of(const ImageOf<Sample>& image) {
   return texture;
 }
 
+Image lightByTable(const Image8& codes, const TransferCurve& curve) { return linearFromPicture(codes, curve); }
+
+Image lightByTable(const ImageOf<std::uint16_t>& codes, const TransferCurve& curve) {
+  return linearFromSamples16(codes.samples(), codes.width(), codes.height(), codes.channels(), curve);
+}
+
 }  // namespace
 
 Result<void> checkPictureMemory(int width, int height, int channels, int sample_bytes) {
@@ -52,10 +59,16 @@ tl::unexpected<Error> cannotHold(long long width, long long height, std::size_t 
                                        " bytes cannot hold; the file is truncated or damaged");
 }
 
-Image lightOf(const CodedPicture& picture, const TransferCurve& curve) {
-  if (const auto* codes = std::get_if<Image8>(&picture)) return linearFromPicture(*codes, curve);
-  const auto& codes = std::get<ImageOf<std::uint16_t>>(picture);
-  return linearFromSamples16(codes.samples(), codes.width(), codes.height(), codes.channels(), curve);
+Image lightOf(const CodedPicture& picture, const CodedColor& color) {
+  const std::optional<TransferCurve> curve = curveOf(color);
+  if (!curve) {
+    Image light = sharesOf(picture);
+    decodeColor(light, color);
+    return light;
+  }
+  Image light = std::visit([&](const auto& codes) { return lightByTable(codes, *curve); }, picture);
+  convertToRec709(light, color.primaries);
+  return light;
 }
 
 Image sharesOf(const CodedPicture& picture) {

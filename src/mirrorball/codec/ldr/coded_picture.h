@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -22,8 +22,8 @@ Result<void> checkPictureMemory(int width, int height, int channels, int sample_
 /// The error for a file too small for the size that it says it has.
 tl::unexpected<Error> cannotHold(long long width, long long height, std::size_t bytes);
 
-/// Linear light of the codes.
-Image lightOf(const CodedPicture& picture, const TransferCurve& curve = kSrgbCurve);
+/// Linear light of the codes, with Rec.709's primaries.
+Image lightOf(const CodedPicture& picture, const CodedColor& color = {});
 
 /// The codes as shares of the greatest one.
 Image sharesOf(const CodedPicture& picture);

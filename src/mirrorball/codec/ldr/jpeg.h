@@ -10,15 +10,19 @@
 
 namespace mirrorball {
 
-/// Decodes a grey or RGB JPEG, baseline or progressive, to linear light; samples are taken as sRGB. Where it has a gain
-/// map (ultra_hdr.h), to the HDR light of both. A file that ends early is an error, never a picture whose rest is grey;
-/// where the gain map is gone as a whole, the picture is read alone.
+/// Decodes a grey or RGB JPEG, baseline or progressive, to linear light. Where it has a gain map (ultra_hdr.h), to the
+/// HDR light of both; where that is gone or damaged, the picture is read alone. What lies behind the end marker means
+/// nothing else: phones keep there what they like.
 ///
-/// errors   bad_file; too_large; unsupported (CMYK, 12 bit)
+/// errors   as decodeJpegCodes'
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes);
 
-/// Decodes a JPEG to 8-bit RGBA as stored; alpha is 255.
-Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes);
+/// Decodes one to its codes, as far as it goes: rows of blocks that are missing or damaged are black, never the grey that
+/// libjpeg leaves, and a remark says how many (jpeg_damage.h). Its EXIF says how it lies, its ICC profile what the codes
+/// are.
+///
+/// errors   bad_file (also: no row of blocks is whole); too_large; unsupported (CMYK, 12 bit)
+Result<CodedFile> decodeJpegCodes(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 /// Encodes 1 (grey), 3 or 4 channels at quality 95 without chroma subsampling; alpha is dropped,
 /// metadata stands in comments.

@@ -69,6 +69,19 @@ std::size_t endOfJpeg(JpegBytes jpeg) {
   }
 }
 
+std::optional<std::size_t> segmentBetweenScans(JpegBytes jpeg, std::size_t before) {
+  std::optional<std::size_t> last;
+  std::size_t end = jpegHeader(jpeg).end;
+  for (;;) {
+    const std::size_t at = nextMarker(jpeg, end);
+    if (at >= jpeg.size() || at > before) return last;
+    end = at + 1;
+    if (standsAlone(jpeg[at])) continue;
+    last = at - 1;
+    end += 2 + dataAt(jpeg, at).size();
+  }
+}
+
 Bytes jpegSegment(std::uint8_t marker, JpegBytes data) {
   const std::size_t size = data.size() + 2;
   Bytes segment{0xff, marker, static_cast<std::uint8_t>(size >> 8), static_cast<std::uint8_t>(size)};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,12 @@ JpegHeader jpegHeader(std::span<const std::uint8_t> jpeg);
 ///
 /// returns  the number of bytes where there is none
 std::size_t endOfJpeg(std::span<const std::uint8_t> jpeg);
+
+/// Where the last segment begins that begins before a place of that JPEG and behind its first scan's header: what an
+/// error there is about. None of the scans before it needs it.
+///
+/// returns  nothing where there is none
+std::optional<std::size_t> segmentBetweenScans(std::span<const std::uint8_t> jpeg, std::size_t before);
 
 /// A segment as it stands in a file.
 ///

@@ -15,7 +15,10 @@
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
+#include "mirrorball/codec/exif_testing.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/written_format_testing.h"
+#include "mirrorball/image/upright.h"
 #include "test_data.h"
 
 namespace mirrorball {
@@ -86,7 +89,7 @@ class JpegSize : public ::testing::TestWithParam<std::tuple<glm::ivec2, int>> {}
 TEST_P(JpegSize, ComesBackWithinItsQuality) {
   const auto [size, channels] = GetParam();
   const Image8 picture = photograph(size.x, size.y, channels);
-  const auto back = decodeJpegTexture(encoded(picture));
+  const auto back = decodeTexture(encoded(picture));
   ASSERT_TRUE(back) << back.error().message;
   ASSERT_EQ(back->width(), size.x);
   ASSERT_EQ(back->height(), size.y);
@@ -136,8 +139,8 @@ TEST(Jpeg, AProfileOfAMatrixIsConverted) {
   EXPECT_EQ(p3->color, "sRGB, primaries of the file (Display P3): converted");
   const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * codes;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgbAt(p3->image, 4, 4)[c], expected[c], 1e-3f);
-  EXPECT_EQ(decodeJpegTexture(testing::jpegWithProfile(plain, testing::iccDisplayP3()))->samples()[0],
-            decodeJpegTexture(plain)->samples()[0])
+  EXPECT_EQ(decodeTexture(testing::jpegWithProfile(plain, testing::iccDisplayP3()))->samples()[0],
+            decodeTexture(plain)->samples()[0])
       << "textures are left as they stand";
 }
 
@@ -150,6 +153,23 @@ TEST(Jpeg, AProfileOfANameAloneIsNotApplied) {
   EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")))->color, "sRGB");
   // Bytes of a profile are no comment.
   EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")))->metadata.empty());
+}
+
+TEST(Jpeg, IsUprightAsItsExifSays) {
+  const Image8 source = photograph(24, 16, 3);
+  const Bytes plain = encoded(source);
+  const Image8 stored = *decodeTexture(plain);
+  for (int orientation = 2; orientation <= 8; ++orientation) {
+    const auto turned = decodeImage(testing::withExif(plain, {.orientation = orientation}));
+    ASSERT_TRUE(turned) << turned.error().message;
+    EXPECT_THAT(turned->oddities, ::testing::ElementsAre("turned upright, as its EXIF says (orientation " +
+                                                         std::to_string(orientation) + ")"));
+    const Image8 expected = upright(Image8(stored), orientation);
+    ASSERT_EQ(turned->image.width(), expected.width());
+    EXPECT_EQ(srgb8FromLinear(turned->image.texel(5, 9)[1]), expected.texel(5, 9)[1]);
+    EXPECT_THAT(decodeTexture(testing::withExif(plain, {.orientation = orientation}))->samples(),
+                ::testing::ElementsAreArray(expected.samples()));
+  }
 }
 
 TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true))); }
@@ -199,7 +219,7 @@ TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
   EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
   EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
-  EXPECT_THAT(error(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+  EXPECT_THAT(error(64, 16).message, HasSubstr("damaged JPEG, at byte "));
 }
 
 // A file long enough for what it says, which only decoding shows to be a lie.
@@ -233,7 +253,8 @@ INSTANTIATE_TEST_SUITE_P(
         "Jpeg",
         [] {
           return *encodeJpeg(pictureFromLinear(testing::gradient(13, 11, 3), 3), {{"envmap", "cube"}});
-        }}),
+        },
+        true}),
     testing::nameOfDamaged);
 
 using testing::CodecFormat;

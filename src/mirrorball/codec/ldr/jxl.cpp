@@ -15,9 +15,9 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/icc_profile.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
+#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
 namespace {
@@ -37,6 +37,8 @@ JxlParallelRetCode runInParallel(void*, void* work, JxlParallelRunInit begin_wor
   return 0;
 }
 
+constexpr const char* kJxlOrientation = "header";
+
 /// Asks for the colour of the samples that are decoded. Versions of libjxl before 0.8 take a format that they do not
 /// use.
 template <typename Ask, typename... Answer>
@@ -54,13 +56,13 @@ std::optional<JxlColorEncoding> encodingOf(const JxlDecoder* decoder) {
   return askOfSamples(JxlDecoderGetColorAsEncodedProfile, decoder, &color) ? std::optional(color) : std::nullopt;
 }
 
-/// What the profile of the samples calls itself.
-std::string profileName(const JxlDecoder* decoder) {
+/// What the ICC profile of the samples says of them.
+CodedColor colorByProfile(const JxlDecoder* decoder) {
   std::size_t size = 0;
   if (!askOfSamples(JxlDecoderGetICCProfileSize, decoder, &size)) return {};
   std::vector<std::uint8_t> profile(size);
   if (!askOfSamples(JxlDecoderGetColorAsICCProfile, decoder, profile.data(), profile.size())) return {};
-  return readIccProfile(profile).description;
+  return codedColor(readIccProfile(profile));
 }
 
 CodedColor colorOf(const JxlColorEncoding& encoding) {
@@ -88,6 +90,7 @@ class JxlFile {
     if (!decoder_) return fail(ErrorCode::too_large, "not enough memory to decode it");
     JxlDecoderSetParallelRunner(decoder_.get(), runInParallel, nullptr);
     JxlDecoderSetUnpremultiplyAlpha(decoder_.get(), JXL_TRUE);
+    JxlDecoderSetKeepOrientation(decoder_.get(), JXL_TRUE);  // turned as all formats are, and told
     JxlDecoderSubscribeEvents(decoder_.get(), JXL_DEC_BASIC_INFO | JXL_DEC_COLOR_ENCODING | JXL_DEC_FULL_IMAGE);
     JxlDecoderSetInput(decoder_.get(), bytes_.data(), bytes_.size());
     JxlDecoderCloseInput(decoder_.get());
@@ -106,7 +109,7 @@ class JxlFile {
       if (JxlDecoderSetPreferredColorProfile(decoder_.get(), &linear) == JXL_DEC_SUCCESS)
         color_ = {.transfer = Transfer::linear};
     } else {
-      profile_ = profileName(decoder_.get());
+      color_ = colorByProfile(decoder_.get());
     }
     return {};
   }
@@ -128,9 +131,11 @@ class JxlFile {
   }
 
   const CodedColor& color() const { return color_; }
+  int orientation() const { return static_cast<int>(info_.orientation); }
 
-  /// What the ICC profile calls itself that the samples go by, and which is not applied; empty: none.
-  const std::string& profile() const { return profile_; }
+  std::string format() const {
+    return "JPEG XL, " + std::to_string(info_.bits_per_sample) + (isOfFloats() ? "-bit floats" : " bits");
+  }
 
  private:
   tl::unexpected<Error> damaged() const { return fail(ErrorCode::bad_file, "is a damaged JPEG XL"); }
@@ -158,7 +163,6 @@ class JxlFile {
   std::unique_ptr<JxlDecoder, decltype(&JxlDecoderDestroy)> decoder_;
   JxlBasicInfo info_{};
   CodedColor color_ = {};
-  std::string profile_ = {};
 };
 
 bool jxlHoldsIntegers(Span bytes) {
@@ -171,38 +175,37 @@ bool jxlHoldsIntegers(Span bytes) {
 Result<DecodedImage> decodeJxl(Span bytes) {
   JxlFile file(bytes);
   MIRRORBALL_TRY_VOID(file.open());
-  MIRRORBALL_TRY(image, file.decode<float>(file.channels(), JXL_TYPE_FLOAT));
+  MIRRORBALL_TRY(stored, file.decode<float>(file.channels(), JXL_TYPE_FLOAT));
+  Image image = upright(std::move(stored), file.orientation());
   decodeColor(image, file.color());
-  std::string format =
-      "JPEG XL, " + std::to_string(file.info().bits_per_sample) + (file.isOfFloats() ? "-bit floats" : " bits");
-  std::string color = file.profile().empty()
-                          ? describeColor(file.color(), image.channels())
-                          : describeColor(IccProfile{.description = file.profile()}, image.channels());
-  return DecodedImage{std::move(image), {}, std::move(format), std::move(color)};
+  std::string color = describeColor(file.color(), image.channels());
+  DecodedImage decoded{std::move(image), {}, file.format(), std::move(color)};
+  if (std::string remark = uprightRemark(file.orientation(), kJxlOrientation); !remark.empty())
+    decoded.oddities.push_back(std::move(remark));
+  return decoded;
 }
 
-Result<Image8> decodeJxlTexture(Span bytes) {
+Result<CodedFile> decodeJxlCodes(Span bytes, CodeForm form) {
   JxlFile file(bytes);
   MIRRORBALL_TRY_VOID(file.open());
-  return file.decode<std::uint8_t>(4, JXL_TYPE_UINT8);
-}
-
-Result<CodedPicture> decodeJxlCodes(Span bytes) {
-  JxlFile file(bytes);
-  MIRRORBALL_TRY_VOID(file.open());
+  CodedFile coded{.codes = {},
+                  .color = file.color(),
+                  .orientation = file.orientation(),
+                  .orientation_source = kJxlOrientation,
+                  .format = file.format()};
+  const int channels = form == CodeForm::rgba ? 4 : file.channels();
   if (file.info().bits_per_sample <= 8) {
-    MIRRORBALL_TRY(codes, file.decode<std::uint8_t>(file.channels(), JXL_TYPE_UINT8));
-    return CodedPicture(std::move(codes));
+    MIRRORBALL_TRY(codes, file.decode<std::uint8_t>(channels, JXL_TYPE_UINT8));
+    coded.codes = std::move(codes);
+  } else {
+    MIRRORBALL_TRY(codes, file.decode<std::uint16_t>(channels, JXL_TYPE_UINT16));
+    coded.codes = std::move(codes);
   }
-  MIRRORBALL_TRY(codes, file.decode<std::uint16_t>(file.channels(), JXL_TYPE_UINT16));
-  return CodedPicture(std::move(codes));
+  return coded;
 }
 
 FormatCodec jxlCodec() {
-  return {.decode = withoutOptions<decodeJxl>,
-          .decode_texture = decodeJxlTexture,
-          .decode_codes = decodeJxlCodes,
-          .holds_integers = jxlHoldsIntegers};
+  return {.decode = withoutOptions<decodeJxl>, .decode_codes = decodeJxlCodes, .holds_integers = jxlHoldsIntegers};
 }
 
 }  // namespace mirrorball

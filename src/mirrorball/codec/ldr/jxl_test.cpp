@@ -9,8 +9,10 @@
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/jxl_testing.h"
+#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
 namespace {
@@ -33,7 +35,7 @@ TEST(Jxl, IntegersComeBack) {
     ASSERT_EQ(image->image.channels(), channels);
     for (std::size_t i = 0; i < light.samples().size(); ++i)
       ASSERT_NEAR(image->image.samples()[i], light.samples()[i], 1e-5f) << i;
-    const auto texture = decodeJxlTexture(bytes);
+    const auto texture = decodeTexture(bytes);
     ASSERT_TRUE(texture);
     EXPECT_EQ(texture->texel(5, 6)[1], source.texel(5, 6)[1]);
     EXPECT_TRUE(jxlCodec().holds_integers(bytes));
@@ -45,13 +47,13 @@ TEST(Jxl, SixteenBitsComeBackAsTheyAre) {
   for (std::size_t i = 0; i < source.samples().size(); ++i) source.samples()[i] = static_cast<std::uint16_t>(i * 331);
   const auto codes = decodeJxlCodes(jxlFile(source));
   ASSERT_TRUE(codes) << codes.error().message;
-  EXPECT_THAT(std::get<ImageOf<std::uint16_t>>(*codes).samples(), ::testing::ElementsAreArray(source.samples()));
+  EXPECT_THAT(std::get<ImageOf<std::uint16_t>>(codes->codes).samples(), ::testing::ElementsAreArray(source.samples()));
 }
 
 TEST(Jxl, EightBitsAreCodesOfEightBits) {
   const auto codes = decodeJxlCodes(jxlFile(jxlPicture(3)));
   ASSERT_TRUE(codes) << codes.error().message;
-  EXPECT_TRUE(std::holds_alternative<Image8>(*codes));
+  EXPECT_TRUE(std::holds_alternative<Image8>(codes->codes));
 }
 
 // libjxl decodes them all, though nobody asks for them.
@@ -97,10 +99,19 @@ TEST(Jxl, PqIsLightWithAndWithoutLoss) {
 
 TEST(Jxl, IsUpright) {
   const Image8 source = jxlPicture(3);
-  const auto turned = decodeJxlTexture(jxlFile(source, JxlForm{.orientation = 8}));
-  ASSERT_TRUE(turned) << turned.error().message;
-  ASSERT_EQ(turned->width(), source.height());
-  EXPECT_EQ(turned->texel(2, 0)[0], source.texel(source.width() - 1, 2)[0]);
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    const Bytes bytes = jxlFile(source, JxlForm{.orientation = orientation});
+    const Image8 expected = upright(Image8(source), orientation);
+    const auto turned = decodeCodes(bytes);
+    ASSERT_TRUE(turned) << turned.error().message;
+    ASSERT_EQ(turned->codes.width(), expected.width());
+    EXPECT_EQ(turned->codes.texel(2, 4)[0], expected.texel(2, 4)[0]);
+    const auto light = decodeImage(bytes);
+    ASSERT_TRUE(light);
+    EXPECT_NEAR(light->image.texel(2, 4)[0], linearFromPicture(expected).texel(2, 4)[0], 1e-4f);
+    for (const auto& oddities : {turned->oddities, light->oddities})
+      EXPECT_EQ(oddities.size(), orientation == 1 ? 0u : 1u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Jxl, Damage,

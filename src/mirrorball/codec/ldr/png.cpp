@@ -13,8 +13,6 @@
 #include <zlib.h>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/color/srgb.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/ldr/png_color.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/within_memory.h"
@@ -108,25 +106,16 @@ struct Writer {
   png_infop info = nullptr;
 };
 
-/// What the samples are wanted as.
-enum class Form {
-  texture,  ///< 8-bit RGBA
-  light,    ///< 8 or 16 bits in the machine's byte order; grey, RGB or RGBA
-};
-
-void setTransforms(png_structp png, png_infop info, Form form) {
+/// Samples of 8 or 16 bits in the machine's byte order; grey, RGB or RGBA.
+void setTransforms(png_structp png, png_infop info, CodeForm form) {
   png_set_expand(png);  // palettes, 1, 2 and 4 bits, and tRNS to whole samples with alpha
   const bool grey = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
   const bool alpha =
       (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
-  if (form == Form::texture) {
-    png_set_scale_16(png);
-    png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
-  } else {
-    if (grey && alpha) png_set_gray_to_rgb(png);
-    if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
-  }
+  constexpr png_uint_32 kOpaque = 0xffff;  // of 8 bits its lower half
+  if (form == CodeForm::rgba) png_set_add_alpha(png, kOpaque, PNG_FILLER_AFTER);
+  if (grey && (alpha || form == CodeForm::rgba)) png_set_gray_to_rgb(png);
+  if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
 }
 
 /// What a PNG holds: interleaved samples without padding.
@@ -137,7 +126,8 @@ struct Pixels {
   int bits = 0;         ///< of a sample as it is decoded
   int stored_bits = 0;  ///< of a sample in the file
   Metadata metadata;
-  PngColor color;
+  CodedColor color;
+  Exif exif;
 };
 
 Metadata readTexts(png_structp png, png_infop info) {
@@ -147,6 +137,12 @@ Metadata readTexts(png_structp png, png_infop info) {
   for (int i = 0; i < count; ++i)
     if (texts[i].key && texts[i].text && isMetadataKey(texts[i].key)) metadata[texts[i].key] = texts[i].text;
   return metadata;
+}
+
+Exif readExifChunk(png_structp png, png_infop info) {
+  png_uint_32 size = 0;
+  png_bytep bytes = nullptr;
+  return png_get_eXIf_1(png, info, &size, &bytes) != 0 ? readExif({bytes, size}) : Exif{};
 }
 
 tl::unexpected<Error> damaged(const PngReader& reader) {
@@ -195,7 +191,7 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
 
 /// memory   gives the place for all samples, when all is known of them but the texts. They need no values, so that a
 ///          size that lies costs nothing: only rows that are decoded are touched
-Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form,
+Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, CodeForm form,
                           const std::function<std::uint8_t*(const Pixels&)>& memory) {
   MIRRORBALL_TRY_VOID(checkChunks(bytes));
   PngReader reader(bytes);
@@ -222,6 +218,7 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form,
   });
   if (!decoded) return damaged(reader);
   pixels.metadata = readTexts(reader.png, reader.info);
+  pixels.exif = readExifChunk(reader.png, reader.info);
   return pixels;
 }
 
@@ -230,33 +227,6 @@ template <typename Sample>
 std::uint8_t* makePlace(ImageOf<Sample>& picture, const Pixels& pixels) {
   picture = ImageOf<Sample>::withoutValues(pixels.width, pixels.height, pixels.channels);
   return reinterpret_cast<std::uint8_t*>(picture.samples().data());
-}
-
-/// A PNG and the codes that it stores.
-struct CodedPng {
-  Pixels pixels;
-  CodedPicture codes;
-};
-
-Result<CodedPng> readCodes(std::span<const std::uint8_t> bytes) {
-  CodedPicture codes;
-  const auto memory = [&codes](const Pixels& pixels) {
-    return pixels.bits == 8 ? makePlace(codes.emplace<Image8>(), pixels)
-                            : makePlace(codes.emplace<ImageOf<std::uint16_t>>(), pixels);
-  };
-  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light, memory));
-  return CodedPng{std::move(pixels), std::move(codes)};
-}
-
-Image lightOf(const Pixels& pixels, const CodedPicture& codes) {
-  if (pixels.color.coded) {
-    Image light = sharesOf(codes);
-    decodeColor(light, *pixels.color.coded);
-    return light;
-  }
-  Image light = lightOf(codes, pixels.color.curve);
-  convertToRec709(light, pixels.color.primaries);
-  return light;
 }
 
 int colorType(int channels) {
@@ -276,23 +246,19 @@ void setCompression(png_structp png) {
 
 }  // namespace
 
-Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(png, readCodes(bytes));
-  return DecodedImage{lightOf(png.pixels, png.codes), std::move(png.pixels.metadata),
-                      "PNG, " + std::to_string(png.pixels.stored_bits) + " bit",
-                      describeColor(png.pixels.color, png.pixels.channels)};
-}
-
-Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(png, readCodes(bytes));
-  return std::move(png.codes);
-}
-
-Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes) {
-  Image8 picture;
-  const auto memory = [&picture](const Pixels& pixels) { return makePlace(picture, pixels); };
-  MIRRORBALL_TRY_VOID(readPixels(bytes, Form::texture, memory));
-  return picture;
+Result<CodedFile> decodePng(std::span<const std::uint8_t> bytes, CodeForm form) {
+  CodedPicture codes;
+  const auto memory = [&codes](const Pixels& pixels) {
+    return pixels.bits == 8 ? makePlace(codes.emplace<Image8>(), pixels)
+                            : makePlace(codes.emplace<ImageOf<std::uint16_t>>(), pixels);
+  };
+  MIRRORBALL_TRY(pixels, readPixels(bytes, form, memory));
+  return CodedFile{.codes = std::move(codes),
+                   .color = std::move(pixels.color),
+                   .orientation = pixels.exif.orientation,
+                   .exif = pixels.exif,
+                   .metadata = std::move(pixels.metadata),
+                   .format = "PNG, " + std::to_string(pixels.stored_bits) + " bit"};
 }
 
 Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputPrimaries primaries) {
@@ -324,11 +290,6 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputP
   return std::move(writer.context.out);
 }
 
-FormatCodec pngCodec() {
-  return {.decode = withoutOptions<decodePng>,
-          .decode_texture = decodePngTexture,
-          .decode_codes = decodePngCodes,
-          .encode_picture = encodePng};
-}
+FormatCodec pngCodec() { return {.decode_codes = decodePng, .encode_picture = encodePng}; }
 
 }  // namespace mirrorball

@@ -3,6 +3,9 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+
+#include "mirrorball/codec/color/icc_profile.h"
 
 namespace mirrorball {
 namespace {
@@ -52,18 +55,16 @@ std::optional<CodedColor> readCodePoints(png_const_structrp png, png_inforp info
 
 void keepPngColor(png_structrp png) { png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, kCicp.data(), 1); }
 
-PngColor readPngColor(png_const_structrp png, png_inforp info) {
-  if (const auto coded = readCodePoints(png, info)) return {.coded = coded};
+CodedColor readPngColor(png_const_structrp png, png_inforp info) {
+  if (const auto coded = readCodePoints(png, info)) return *coded;
   if (png_get_valid(png, info, PNG_INFO_sRGB) != 0) return {};
   png_charp name = nullptr;
   png_bytep profile = nullptr;
   png_uint_32 size = 0;
   int compression = 0;
-  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) != 0) {
-    const IccProfile read = readIccProfile({profile, size});
-    return {.profile = read, .curve = read.curve, .primaries = read.primaries};
-  }
-  return {.curve = readCurve(png, info), .primaries = readPrimaries(png, info)};
+  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) != 0)
+    return codedColor(readIccProfile({profile, size}));
+  return codedColor(readCurve(png, info), readPrimaries(png, info));
 }
 
 void writePngColor(png_structrp png, png_inforp info, OutputPrimaries primaries) {
@@ -80,12 +81,6 @@ void writePngColor(png_structrp png, png_inforp info, OutputPrimaries primaries)
   const Primaries& xy = chromaticitiesOf(primaries);
   png_set_cHRM(png, info, xy.white.x, xy.white.y, xy.red.x, xy.red.y, xy.green.x, xy.green.y, xy.blue.x, xy.blue.y);
   png_set_gAMA_fixed(png, info, kGammaOfSrgb);
-}
-
-std::string describeColor(const PngColor& color, int channels) {
-  if (color.coded) return describeColor(*color.coded, channels);
-  if (!color.profile.description.empty()) return describeColor(color.profile, channels);
-  return describeColor(color.curve, color.primaries, channels);
 }
 
 }  // namespace mirrorball

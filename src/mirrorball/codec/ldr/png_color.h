@@ -1,22 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include <png.h>
 
 #include "mirrorball/codec/color/coded_color.h"
-#include "mirrorball/codec/color/icc_profile.h"
 
 namespace mirrorball {
-
-/// What a PNG says of its colour.
-struct PngColor {
-  std::optional<CodedColor> coded = {};  ///< by a chunk cICP; then the others mean nothing
-  IccProfile profile = {};               ///< then those of its chunk iCCP, as far as it is understood
-  TransferCurve curve = kSrgbCurve;
-  std::optional<Primaries> primaries = {};
-};
 
 /// Has the chunk cICP kept for readPngColor; before png_read_info.
 void keepPngColor(png_structrp png);
@@ -26,15 +14,12 @@ void keepPngColor(png_structrp png);
 ///
 /// info     as png_read_info has left it
 /// from     PNG (third edition), 11.3.2 "Colour space information"
-PngColor readPngColor(png_const_structrp png, png_inforp info);
+CodedColor readPngColor(png_const_structrp png, png_inforp info);
 
 /// States sRGB's curve with these primaries; for those that are not Rec.709's by cICP, with cHRM and gAMA for readers
 /// that do not know it. Before png_write_info.
 ///
 /// primaries  not ACEScg's
 void writePngColor(png_structrp png, png_inforp info, OutputPrimaries primaries);
-
-/// What `info` says of it.
-std::string describeColor(const PngColor& color, int channels);
 
 }  // namespace mirrorball

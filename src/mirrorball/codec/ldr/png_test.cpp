@@ -15,6 +15,7 @@
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/written_format_testing.h"
 
 namespace mirrorball {
@@ -66,7 +67,7 @@ Bytes made(const Recipe& recipe) {
 }
 
 Image8 texture(const Bytes& bytes) {
-  auto result = decodePngTexture(bytes);
+  auto result = decodeTexture(bytes);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return Image8(1, 1, 4);
@@ -75,7 +76,7 @@ Image8 texture(const Bytes& bytes) {
 }
 
 DecodedImage light(const Bytes& bytes) {
-  auto result = decodePng(bytes);
+  auto result = decodeImage(bytes);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return {Image(1, 1, 4), {}, ""};
@@ -296,10 +297,32 @@ TEST(PngColor, OfGreyOnlyTheGammaCounts) {
   EXPECT_EQ(back.color, "linear, grey");
 }
 
-TEST(PngColor, TexturesAreLeftAsTheyStand) {
+TEST(PngColor, TexturesOfNumbersAreLeftAsTheyStand) {
   const Bytes bytes =
       made({.rows = {{255, 128, 0}}, .describe = [](auto png, auto info) { png_set_gAMA_fixed(png, info, 100000); }});
   EXPECT_THAT(texture(bytes).samples(), ElementsAre(255, 128, 0, 255));
+  EXPECT_THAT(std::get<Image8>(decodeDataTexture(bytes)->picture).samples(), ElementsAre(255, 128, 0, 255));
+  const auto colors = decodeColorTexture(bytes);
+  EXPECT_THAT(std::get<Image8>(colors->picture).samples(), ElementsAre(255, srgb8FromLinear(128.0f / 255.0f), 0, 255));
+  EXPECT_THAT(colors->oddities, ElementsAre("its colours are not sRGB's: linear, Rec.709"));
+}
+
+TEST(Png, IsUprightAsItsExifSays) {
+  Bytes exif{'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0};
+  const auto file = [&] {
+    return made(
+        {.width = 2, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {{51, 102}}, .describe = [&](auto png, auto info) {
+           png_set_eXIf_1(png, info, static_cast<png_uint_32>(exif.size()), exif.data());
+         }});
+  };
+  const auto turned = decodeImage(file());
+  ASSERT_TRUE(turned) << turned.error().message;
+  EXPECT_EQ(turned->image.height(), 2);
+  EXPECT_EQ(turned->image.channels(), 1);
+  EXPECT_THAT(turned->image.samples(), ElementsAre(linear(0.2f), linear(0.4f)));
+  EXPECT_THAT(turned->oddities, ElementsAre("turned upright, as its EXIF says (orientation 6)"));
+  exif[19] = 3;
+  EXPECT_THAT(decodeImage(file())->image.samples(), ElementsAre(linear(0.4f), linear(0.2f)));
 }
 
 /// A PNG whose IHDR says another size, with the right checksum.

@@ -176,19 +176,6 @@ Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes) {
   return CodedPicture(std::move(image));
 }
 
-struct PnmPicture {
-  PnmHeader header;
-  CodedPicture codes;
-};
-
-Result<PnmPicture> readPnmPicture(Span bytes) {
-  MIRRORBALL_TRY(header, readPnmHeader(bytes));
-  MIRRORBALL_TRY_VOID(checkSize(header, bytes));
-  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes)
-                                               : readSamples<std::uint16_t>(header, bytes));
-  return PnmPicture{header, std::move(codes)};
-}
-
 }  // namespace
 
 bool isPnm(Span bytes) {
@@ -196,24 +183,15 @@ bool isPnm(Span bytes) {
   return bytes[2] == '#' || bytes[2] == ' ' || (bytes[2] >= '\t' && bytes[2] <= '\r');
 }
 
-Result<DecodedImage> decodePnm(Span bytes) {
-  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
+Result<CodedFile> decodePnm(Span bytes, CodeForm) {
+  MIRRORBALL_TRY(header, readPnmHeader(bytes));
+  MIRRORBALL_TRY_VOID(checkSize(header, bytes));
+  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes)
+                                               : readSamples<std::uint16_t>(header, bytes));
   constexpr std::string_view kNames[]{"PBM, text", "PGM, text", "PPM, text", "PBM", "PGM", "PPM", "PAM"};
-  std::string format(kNames[picture.header.version - '1']);
-  if (!picture.header.isBitmap()) format += ", 0 to " + std::to_string(picture.header.max);
-  Image light = lightOf(picture.codes);
-  std::string color = describeColor(kSrgbCurve, {}, light.channels());
-  return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
-}
-
-Result<CodedPicture> decodePnmCodes(Span bytes) {
-  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
-  return std::move(picture.codes);
-}
-
-Result<Image8> decodePnmTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
-  return textureOf(std::move(picture.codes));
+  std::string format(kNames[header.version - '1']);
+  if (!header.isBitmap()) format += ", 0 to " + std::to_string(header.max);
+  return CodedFile{.codes = std::move(codes), .format = std::move(format)};
 }
 
 }  // namespace mirrorball

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 
 namespace mirrorball {
 
@@ -17,13 +17,7 @@ bool isPnm(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large; unsupported (a PAM of another kind)
 /// from     Netpbm's pages pbm(5), pgm(5), ppm(5), pam(5)
-Result<DecodedImage> decodePnm(std::span<const std::uint8_t> bytes);
-
-/// Decodes such a picture to 8-bit RGBA as stored, 16 bits rounded.
-Result<Image8> decodePnmTexture(std::span<const std::uint8_t> bytes);
-
-/// Decodes to the codes as stored, 16 bits with all their digits.
-Result<CodedPicture> decodePnmCodes(std::span<const std::uint8_t> bytes);
+Result<CodedFile> decodePnm(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 /// Whether the bytes begin as a Portable FloatMap does.
 bool isPfm(std::span<const std::uint8_t> bytes);

@@ -7,6 +7,7 @@
 
 #include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 
 namespace mirrorball {
@@ -17,13 +18,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<int> codesOfPnm(const std::string& file) {
-  const auto texture = decodePnmTexture(bytesOf(file));
+  const auto texture = decodeTexture(bytesOf(file));
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
 DecodedImage decodedPnm(const std::string& file) {
-  auto image = decodePnm(bytesOf(file));
+  auto image = decodeImage(bytesOf(file));
   EXPECT_TRUE(image) << image.error().message;
   return image ? std::move(*image) : DecodedImage{};
 }

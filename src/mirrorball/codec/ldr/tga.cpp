@@ -227,30 +227,18 @@ class TgaReader {
   std::vector<TgaColor> palette_;
 };
 
-Result<CodedPicture> readTgaPicture(Span bytes) {
-  const auto header = readTgaHeader(bytes);
-  if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
-  return TgaReader(bytes, *header).read();
-}
-
 }  // namespace
 
 bool isTga(Span bytes) { return hasFooter(bytes) || readTgaHeader(bytes); }
 
-Result<DecodedImage> decodeTga(Span bytes) {
-  MIRRORBALL_TRY(picture, readTgaPicture(bytes));
-  Image light = lightOf(picture);
+Result<CodedFile> decodeTga(Span bytes, CodeForm) {
   const auto header = readTgaHeader(bytes);
+  if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
+  MIRRORBALL_TRY(codes, TgaReader(bytes, *header).read());
   std::string format = "TGA, " + std::to_string(header->bits) + " bit";
   if (header->kind == Kind::palette) format += " palette";
   if (header->is_run_length_coded) format += ", RLE";
-  std::string color = describeColor(kSrgbCurve, {}, light.channels());
-  return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
-}
-
-Result<Image8> decodeTgaTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readTgaPicture(bytes));
-  return textureOf(std::move(picture));
+  return CodedFile{.codes = std::move(codes), .format = std::move(format)};
 }
 
 }  // namespace mirrorball

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 
 namespace mirrorball {
 
@@ -20,9 +20,6 @@ bool isTga(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large
 /// from     Truevision TGA File Format Specification, version 2.0 (1991)
-Result<DecodedImage> decodeTga(std::span<const std::uint8_t> bytes);
-
-/// Decodes a TGA to 8-bit RGBA as stored.
-Result<Image8> decodeTgaTexture(std::span<const std::uint8_t> bytes);
+Result<CodedFile> decodeTga(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 }  // namespace mirrorball

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/picture_testing.h"
 
@@ -17,13 +18,13 @@ using testing::tgaFile;
 
 /// The codes of a picture, RGBA.
 std::vector<int> codesOfTga(const Bytes& bytes) {
-  const auto texture = decodeTgaTexture(bytes);
+  const auto texture = decodeTexture(bytes);
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
 int channelsOf(const Bytes& bytes) {
-  const auto image = decodeTga(bytes);
+  const auto image = decodeImage(bytes);
   EXPECT_TRUE(image) << image.error().message;
   return image ? image->image.channels() : 0;
 }
@@ -37,7 +38,7 @@ Error refusedTga(const Bytes& bytes) {
 TEST(Tga, ColorsAreStoredBlueFirst) {
   const Bytes file = tgaFile({.width = 1, .height = 1, .id = "a name"}, {3, 2, 1});
   EXPECT_THAT(codesOfTga(file), ElementsAre(1, 2, 3, 255));
-  const auto image = decodeTga(file);
+  const auto image = decodeImage(file);
   EXPECT_EQ(image->format, "TGA, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
   EXPECT_EQ(image->image.channels(), 3);
@@ -47,7 +48,7 @@ TEST(Tga, EveryCornerMayBeTheFirst) {
   const Bytes grey{1, 2, 3, 4};
   const auto from = [&](std::uint8_t descriptor) {
     const auto image =
-        decodeTgaTexture(tgaFile({.type = 3, .width = 2, .height = 2, .bits = 8, .descriptor = descriptor}, grey));
+        decodeTexture(tgaFile({.type = 3, .width = 2, .height = 2, .bits = 8, .descriptor = descriptor}, grey));
     std::vector<int> reds;
     for (std::size_t i = 0; i < 16; i += 4) reds.push_back(image->samples()[i]);
     return reds;
@@ -95,7 +96,7 @@ TEST(Tga, PalettesAreLookedUp) {
   form.palette_length = 2;
   form.palette_bits = 24;
   EXPECT_THAT(codesOfTga(tgaFile(form, {3, 2, 1, 30, 20, 10, 6, 5})), ElementsAre(10, 20, 30, 255, 1, 2, 3, 255));
-  EXPECT_EQ(decodeTga(tgaFile(form, {3, 2, 1, 30, 20, 10, 6, 5}))->format, "TGA, 8 bit palette");
+  EXPECT_EQ(decodeImage(tgaFile(form, {3, 2, 1, 30, 20, 10, 6, 5}))->format, "TGA, 8 bit palette");
   EXPECT_THAT(refusedTga(tgaFile(form, {3, 2, 1, 30, 20, 10, 6, 7})).message, HasSubstr("texel (1, 0)"));
   EXPECT_THAT(refusedTga(tgaFile(form, {3, 2, 1, 30, 20, 10, 6, 4})).message, HasSubstr("texel (1, 0)"));
   form.bits = 16;
@@ -104,7 +105,7 @@ TEST(Tga, PalettesAreLookedUp) {
 
 TEST(Tga, RunsMayGoOnInTheNextRow) {
   const testing::TgaForm form{.type = 11, .width = 3, .height = 2, .bits = 8};
-  const auto image = decodeTga(tgaFile(form, {129, 9, 2, 1, 2, 3, 0, 4}));
+  const auto image = decodeImage(tgaFile(form, {129, 9, 2, 1, 2, 3, 0, 4}));
   ASSERT_TRUE(image);
   EXPECT_EQ(image->format, "TGA, 8 bit, RLE");
   const std::vector<int> all = codesOfTga(tgaFile(form, {129, 9, 2, 1, 2, 3, 0, 4}));

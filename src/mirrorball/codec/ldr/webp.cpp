@@ -9,8 +9,7 @@
 #include <webp/demux.h>
 
 #include "mirrorball/codec/color/icc_profile.h"
-#include "mirrorball/codec/color/srgb.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/coded_file.h"
 
 namespace mirrorball {
 namespace {
@@ -30,9 +29,8 @@ tl::unexpected<Error> webpFailure(VP8StatusCode status, std::size_t size) {
   }
 }
 
-/// texture  RGBA for everything; else RGB where there is no alpha
 /// features become the file's
-Result<Image8> readWebpPicture(Span bytes, bool texture, WebPBitstreamFeatures& features) {
+Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures& features) {
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);
   if (known != VP8_STATUS_OK) return webpFailure(known, bytes.size());
   if (features.has_animation != 0)
@@ -41,7 +39,7 @@ Result<Image8> readWebpPicture(Span bytes, bool texture, WebPBitstreamFeatures& 
   constexpr int kSampleBytes = 2;  // libwebp's own picture, and ours
   MIRRORBALL_TRY_VOID(checkPictureMemory(features.width, features.height, 4, kSampleBytes));
 
-  const int channels = texture || features.has_alpha != 0 ? 4 : 3;
+  const int channels = form == CodeForm::rgba || features.has_alpha != 0 ? 4 : 3;
   // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
   Image8 picture = Image8::withoutValues(features.width, features.height, channels);
   WebPDecoderConfig config;
@@ -55,35 +53,41 @@ Result<Image8> readWebpPicture(Span bytes, bool texture, WebPBitstreamFeatures& 
   return picture;
 }
 
-/// The ICC profile in the file, if there is one.
-IccProfile webpProfile(Span bytes) {
-  const WebPData data{bytes.data(), bytes.size()};
-  const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> demuxer(WebPDemux(&data), &WebPDemuxDelete);
-  WebPChunkIterator chunk;
-  if (!demuxer || WebPDemuxGetChunk(demuxer.get(), "ICCP", 1, &chunk) == 0) return {};
-  IccProfile profile = readIccProfile({chunk.chunk.bytes, chunk.chunk.size});
-  WebPDemuxReleaseChunkIterator(&chunk);
-  return profile;
-}
+/// The chunks of a file that are no picture.
+class WebpChunks {
+ public:
+  explicit WebpChunks(Span bytes) : data_{bytes.data(), bytes.size()}, demuxer_(WebPDemux(&data_), &WebPDemuxDelete) {}
+
+  /// The first chunk of a name, in the file's bytes; empty where there is none.
+  Span operator[](const char* name) const {
+    WebPChunkIterator chunk;
+    if (!demuxer_ || WebPDemuxGetChunk(demuxer_.get(), name, 1, &chunk) == 0) return {};
+    const Span bytes(chunk.chunk.bytes, chunk.chunk.size);
+    WebPDemuxReleaseChunkIterator(&chunk);
+    return bytes;
+  }
+
+ private:
+  WebPData data_;
+  std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> demuxer_;
+};
 
 }  // namespace
 
-Result<DecodedImage> decodeWebp(Span bytes) {
+Result<CodedFile> decodeWebp(Span bytes, CodeForm form) {
   WebPBitstreamFeatures features;
-  MIRRORBALL_TRY(picture, readWebpPicture(bytes, false, features));
+  MIRRORBALL_TRY(picture, readWebpPicture(bytes, form, features));
   constexpr std::string_view kForms[]{"", ", lossy", ", lossless"};
-  std::string format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)]);
-  const IccProfile profile = webpProfile(bytes);
-  Image light = linearFromPicture(picture, profile.curve);
-  convertToRec709(light, profile.primaries);
-  return DecodedImage{std::move(light), {}, std::move(format), describeColor(profile, picture.channels())};
+  const WebpChunks chunks(bytes);
+  const Span profile = chunks["ICCP"];
+  const Exif exif = readExif(chunks["EXIF"]);
+  return CodedFile{.codes = std::move(picture),
+                   .color = profile.empty() ? CodedColor{} : codedColor(readIccProfile(profile)),
+                   .orientation = exif.orientation,
+                   .exif = exif,
+                   .format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)])};
 }
 
-Result<Image8> decodeWebpTexture(Span bytes) {
-  WebPBitstreamFeatures features;
-  return readWebpPicture(bytes, true, features);
-}
-
-FormatCodec webpCodec() { return {.decode = withoutOptions<decodeWebp>, .decode_texture = decodeWebpTexture}; }
+FormatCodec webpCodec() { return {.decode_codes = decodeWebp}; }
 
 }  // namespace mirrorball

@@ -9,13 +9,12 @@
 
 namespace mirrorball {
 
-/// Decodes a WebP picture, lossy or lossless, with or without alpha; samples are taken as sRGB.
+/// Decodes a WebP picture, lossy or lossless, with or without alpha; its chunks ICCP and EXIF say what its samples are
+/// and how it lies.
 ///
 /// errors   bad_file; too_large; unsupported (an animation)
-Result<DecodedImage> decodeWebp(std::span<const std::uint8_t> bytes);
-
-/// Decodes a WebP to 8-bit RGBA as stored.
-Result<Image8> decodeWebpTexture(std::span<const std::uint8_t> bytes);
+/// from     Google, "WebP Container Specification"
+Result<CodedFile> decodeWebp(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 /// For the registry of formats.
 FormatCodec webpCodec();

@@ -8,8 +8,11 @@
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
+#include "mirrorball/codec/exif_testing.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
+#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
 namespace {
@@ -26,12 +29,12 @@ TEST(Webp, LosslessComesBack) {
   for (const int channels : {3, 4}) {
     const Image8 source = picture(channels);
     const Bytes bytes = webpOf(source, kLossless);
-    const auto image = decodeWebp(bytes);
+    const auto image = decodeImage(bytes);
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_THAT(image->image.samples(), ElementsAreArray(linearFromPicture(source).samples()));
     EXPECT_EQ(image->format, "WebP, lossless");
     EXPECT_EQ(image->color, "sRGB");
-    const auto texture = decodeWebpTexture(bytes);
+    const auto texture = decodeTexture(bytes);
     ASSERT_TRUE(texture);
     for (std::size_t i = 0; i < source.texelCount(); ++i)
       for (std::size_t c = 0; c < 4; ++c)
@@ -46,27 +49,41 @@ TEST(Webp, LossyComesBackWithinItsQuality) {
     for (int x = 0; x < 40; ++x)
       for (int c = 0; c < 3; ++c) smooth.texel(x, y)[c] = static_cast<std::uint8_t>(60 + 3 * x + 2 * y);
   smooth.texel(3, 4)[3] = 128;
-  const auto texture = decodeWebpTexture(webpOf(smooth, 95));
+  const auto texture = decodeTexture(webpOf(smooth, 95));
   ASSERT_TRUE(texture) << texture.error().message;
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x) ASSERT_NEAR(texture->texel(x, y)[1], smooth.texel(x, y)[1], 6);
   EXPECT_EQ(texture->texel(3, 4)[3], 128);  // alpha is lossless
-  EXPECT_EQ(decodeWebp(webpOf(smooth, 95))->format, "WebP, lossy");
+  EXPECT_EQ(decodeImage(webpOf(smooth, 95))->format, "WebP, lossy");
 }
 
 TEST(Webp, AProfileIsNamedAndOneOfAMatrixConverted) {
   const Bytes bytes = testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccProfile("Display P3"));
-  const auto image = decodeWebp(bytes);
+  const auto image = decodeImage(bytes);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
-  const auto p3 = decodeWebp(testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccDisplayP3()));
+  const auto p3 = decodeImage(testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccDisplayP3()));
   ASSERT_TRUE(p3) << p3.error().message;
   EXPECT_EQ(p3->color, "sRGB, primaries of the file (Display P3): converted");
   EXPECT_GT(std::abs(p3->image.samples()[0] - image->image.samples()[0]), 1e-4f);
 }
 
+TEST(Webp, IsUprightAsItsExifSays) {
+  const Image8 source = picture(3);
+  for (const bool is_named : {false, true}) {  // some writers put JPEG's name before it
+    const Bytes exif = testing::exifOf({.exposure_time_s = 0.25, .orientation = 6});
+    const Bytes chunk(exif.begin() + (is_named ? 0 : 6), exif.end());
+    const Bytes bytes = testing::extendedWebp(source, 0x08, "EXIF", chunk);
+    const auto turned = decodeImage(bytes);
+    ASSERT_TRUE(turned) << turned.error().message;
+    EXPECT_THAT(turned->image.samples(), ElementsAreArray(linearFromPicture(upright(Image8(source), 6)).samples()));
+    EXPECT_THAT(turned->oddities, ::testing::ElementsAre("turned upright, as its EXIF says (orientation 6)"));
+    EXPECT_EQ(decodeCodes(bytes)->exif.exposure_time_s, 0.25);
+  }
+}
+
 TEST(Webp, AnAnimationIsRefused) {
-  const auto refused = decodeWebp(testing::extendedWebp(picture(3), 0x02, "ANIM", Bytes(6)));
+  const auto refused = decodeImage(testing::extendedWebp(picture(3), 0x02, "ANIM", Bytes(6)));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   EXPECT_THAT(refused.error().message, HasSubstr("is an animated WebP"));
@@ -77,7 +94,7 @@ TEST(Webp, EveryTruncationIsAnError) {
     const Bytes bytes = webpOf(picture(4), quality);
     for (std::size_t length = 12; length < bytes.size(); ++length) {
       const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
-      const auto result = decodeWebp(part);
+      const auto result = decodeImage(part);
       ASSERT_FALSE(result) << length;
       EXPECT_FALSE(result.error().message.empty());
     }

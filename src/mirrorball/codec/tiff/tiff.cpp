@@ -7,12 +7,12 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/format_signature.h"
-#include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 #include "mirrorball/codec/tiff/tiff_layout.h"
 #include "mirrorball/codec/within_memory.h"
@@ -133,7 +133,7 @@ Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layou
       }
     }
   }));
-  return upright(std::move(image), layout.orientation);
+  return image;
 }
 
 /// Codes that are `Sample`s already, or become the nearest of them.
@@ -194,12 +194,41 @@ std::string formatText(const TiffLayout& layout) {
   return layout.compression.empty() ? text : text + ", " + layout.compression;
 }
 
-std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
+constexpr const char* kTiffOrientation = "tag";
+
+/// An ICC profile counts before the tags of primaries.
+CodedColor colorOfCodes(const TiffLayout& layout) {
+  return layout.profile.description.empty() ? codedColor(kSrgbCurve, layout.primaries) : codedColor(layout.profile);
+}
+
+/// EXIF is the tags of a TIFF.
+CodedFile codedFileOf(CodedPicture codes, const TiffLayout& layout, Span bytes) {
+  return {.codes = std::move(codes),
+          .color = colorOfCodes(layout),
+          .orientation = layout.orientation,
+          .orientation_source = kTiffOrientation,
+          .exif = readExif(bytes),
+          .metadata = {},
+          .format = formatText(layout)};
+}
+
+/// What `info` says of floats.
+std::string colorText(const TiffLayout& layout) {
   if (layout.is_log && layout.colors == 3) return "CIE XYZ: converted";
-  const std::string& name = layout.profile.description;
-  if (name.empty()) return describeColor(curve, layout.primaries, layout.channels());
-  return layout.is_float ? "linear, Rec.709 assumed: its ICC profile (" + name + ") is not applied"
-                         : describeColor(layout.profile, layout.channels());
+  if (const std::string& name = layout.profile.description; !name.empty() && !layout.profile.is_understood)
+    return "linear, Rec.709 assumed: its ICC profile (" + name + ") is not applied";
+  return describeColor(kLinearLight, layout.primaries, layout.channels());
+}
+
+/// What is unusual about floats.
+std::vector<std::string> odditiesOf(const TiffLayout& layout) {
+  std::vector<std::string> oddities;
+  if (std::string remark = uprightRemark(layout.orientation, kTiffOrientation); !remark.empty())
+    oddities.push_back(std::move(remark));
+  if (layout.profile.is_understood && layout.profile.curve.power != kLinearLight.power)
+    oddities.push_back("has floats and an ICC profile (" + layout.profile.description +
+                       ") with a curve: taken as linear light, of whose profile the primaries alone count");
+  return oddities;
 }
 
 }  // namespace
@@ -207,30 +236,25 @@ std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
 Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
-  Image light;
-  if (layout.is_float) {
-    MIRRORBALL_TRY(floats, readLight(file, layout, options.progress));
-    light = std::move(floats);
-  } else {
-    MIRRORBALL_TRY(picture, readPicture(file, layout, options.progress));
-    light = lightOf(picture, layout.profile.curve);
+  if (!layout.is_float) {
+    MIRRORBALL_TRY(codes, readPicture(file, layout, options.progress));
+    return imageOf(codedFileOf(std::move(codes), layout, bytes));
   }
+  MIRRORBALL_TRY(stored, readLight(file, layout, options.progress));
+  Image light = upright(std::move(stored), layout.orientation);
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
-  return DecodedImage{
-      std::move(light), {}, formatText(layout), colorText(layout, layout.is_float ? kLinearLight : kSrgbCurve)};
+  DecodedImage image{std::move(light), {}, formatText(layout), colorText(layout)};
+  image.oddities = odditiesOf(layout);
+  return image;
 }
 
-Result<CodedPicture> decodeTiffCodes(Span bytes) {
+Result<CodedFile> decodeTiffCodes(Span bytes, CodeForm) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (layout.is_float)
     return fail(ErrorCode::unsupported, "holds floats, and a texture has integers; save it with 8 or 16 bits");
-  return readPicture(file, layout, {});
-}
-
-Result<Image8> decodeTiffTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, decodeTiffCodes(bytes));
-  return textureOf(std::move(picture));
+  MIRRORBALL_TRY(codes, readPicture(file, layout, {}));
+  return codedFileOf(std::move(codes), layout, bytes);
 }
 
 bool isTiffOfIntegers(Span bytes) {
@@ -241,10 +265,7 @@ bool isTiffOfIntegers(Span bytes) {
 }
 
 FormatCodec tiffCodec() {
-  return {.decode = decodeTiff,
-          .decode_texture = decodeTiffTexture,
-          .decode_codes = decodeTiffCodes,
-          .holds_integers = isTiffOfIntegers};
+  return {.decode = decodeTiff, .decode_codes = decodeTiffCodes, .holds_integers = isTiffOfIntegers};
 }
 
 }  // namespace mirrorball

@@ -165,7 +165,7 @@ void readColor(TIFF* tiff, TiffLayout& layout) {
   std::uint8_t* profile = nullptr;
   if (TIFFGetField(tiff, TIFFTAG_ICCPROFILE, &size, &profile) == 1) {
     layout.profile = readIccProfile({profile, size});
-    if (!layout.is_float) layout.primaries = layout.profile.primaries;
+    layout.primaries = layout.profile.primaries;
     return;
   }
   float* white = nullptr;

@@ -31,7 +31,7 @@ struct TiffLayout {
   std::string compression;
   bool is_jpeg = false;
   std::optional<Primaries> primaries;
-  IccProfile profile;  ///< of integers alone it is applied
+  IccProfile profile;  ///< whose curve means integers alone
   /// Red, green and blue of each code; empty where there is no palette.
   std::array<std::vector<std::uint16_t>, 3> palette;
 

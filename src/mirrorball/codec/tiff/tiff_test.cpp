@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/tiff/tiff_testing.h"
@@ -34,7 +35,7 @@ DecodedImage decoded(const Bytes& bytes) {
 }
 
 Image8 texture(const Bytes& bytes) {
-  auto result = decodeTiffTexture(bytes);
+  auto result = decodeTexture(bytes);
   EXPECT_TRUE(result) << result.error().message;
   return result ? std::move(*result) : Image8();
 }
@@ -201,6 +202,7 @@ TEST(Tiff, ThePictureIsTurnedAsItsTagSays) {
   ASSERT_EQ(image.image.width(), 1);
   ASSERT_EQ(image.image.height(), 2);
   EXPECT_LT(image.image.texel(0, 0)[0], image.image.texel(0, 1)[0]);
+  EXPECT_THAT(image.oddities, ElementsAre(HasSubstr("turned upright, as its tag says (orientation ")));
   form.orientation = ORIENTATION_BOTRIGHT;
   EXPECT_GT(decoded(tiffFile(form, {10, 200})).image.texel(0, 0)[0], 0.5f);
 }
@@ -215,8 +217,10 @@ TEST(Tiff, AProfileIsNamedAndPrimariesAreConverted) {
   EXPECT_EQ(decoded(tiffFile(form, red)).color,
             "linear, Rec.709 assumed: its ICC profile (Adobe RGB (1998)) is not applied");
   form.profile = testing::iccDisplayP3();
-  EXPECT_EQ(decoded(tiffFile(form, red)).color, "linear, Rec.709 assumed: its ICC profile (Display P3) is not applied");
-  EXPECT_EQ(decoded(tiffFile(form, red)).image.samples()[0], 1.0f);
+  const DecodedImage light = decoded(tiffFile(form, red));
+  EXPECT_EQ(light.color, "linear, primaries of the file (Display P3): converted");
+  EXPECT_NEAR(light.image.samples()[0], 1.2249f, 1e-3f);
+  EXPECT_THAT(light.oddities, ElementsAre(HasSubstr("with a curve: taken as linear light")));
   const DecodedImage green = decoded(tiffFile({.width = 1, .height = 1, .profile = form.profile}, {0, 255, 0}));
   EXPECT_EQ(green.color, "sRGB, primaries of the file (Display P3): converted");
   EXPECT_NEAR(green.image.samples()[0], -0.2249f, 1e-3f);
@@ -300,7 +304,7 @@ TEST(Tiff, WhatCannotBeReadIsNamed) {
   EXPECT_THAT(refused(tiffFile(form, tiffSamples(form))).message, HasSubstr("compression 34925"));
   form = {.bits = 32, .kind = SAMPLEFORMAT_IEEEFP};
   const Bytes floats = tiffFile(form, bytesOfNumbers(tiffFloats(form)));
-  EXPECT_THAT(decodeTiffTexture(floats).error().message, HasSubstr("save it with 8 or 16 bits"));
+  EXPECT_THAT(decodeTexture(floats).error().message, HasSubstr("save it with 8 or 16 bits"));
   EXPECT_FALSE(isTiffOfIntegers(floats));
   EXPECT_TRUE(isTiffOfIntegers(tiffFile({}, tiffSamples({}))));
 }

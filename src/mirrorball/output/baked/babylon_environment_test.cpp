@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formula/constants.h"
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {
@@ -37,7 +37,7 @@ struct EnvFile {
   }
 
   Image8 picture(const nlohmann::json& place) const {
-    return *decodePngTexture(std::span(pictures).subspan(place["position"], place["length"]));
+    return *decodeTexture(std::span(pictures).subspan(place["position"], place["length"]));
   }
 };
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formula/constants.h"
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {
@@ -44,7 +44,7 @@ TEST(ImageBasedLightGltf, HasALightWithAllFacesOfAllLevels) {
       const nlohmann::json& image = json["images"][number.get<std::size_t>()];
       EXPECT_EQ(image["mimeType"], "image/png");
       const nlohmann::json& view = json["bufferViews"][image["bufferView"].get<std::size_t>()];
-      const auto picture = decodePngTexture(buffer.subspan(view["byteOffset"], view["byteLength"]));
+      const auto picture = decodeTexture(buffer.subspan(view["byteOffset"], view["byteLength"]));
       ASSERT_TRUE(picture);
       EXPECT_EQ(picture->width(), 16 >> level);
     }

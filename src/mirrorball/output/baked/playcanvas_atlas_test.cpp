@@ -9,7 +9,7 @@
 
 #include "formula/constants.h"
 #include "mirrorball/base/parallel_testing.h"
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/image/filter.h"
@@ -135,7 +135,7 @@ TEST(PlayCanvasAtlas, StopsAtAnyPanorama) {
 TEST(PlayCanvasAtlas, IsAPngOf512) {
   const auto packed = playcanvasAtlas(mapsOfAtlas([](glm::vec3 d) { return glm::vec3(d.y > 0.9f ? 1e3f : 1.0f); }));
   ASSERT_TRUE(packed) << packed.error().message;
-  const Image8 picture = *decodePngTexture(packed->bytes);
+  const Image8 picture = *decodeTexture(packed->bytes);
   EXPECT_EQ(picture.width(), 512);
   EXPECT_EQ(picture.height(), 512);
   EXPECT_EQ(picture.channels(), 4);

@@ -17,14 +17,20 @@
 namespace mirrorball {
 namespace {
 
+/// Tells what is odd about a picture's file.
+void warnOf(const std::vector<std::string>& oddities, const std::string& path, Scene& scene) {
+  for (const std::string& oddity : oddities) scene.warnings.push_back(path + ": " + oddity);
+}
+
 /// A built-in picture by its name, or that of a file, which then counts as read.
 Result<Texels> pictureOf(Scene& scene, const MaterialMap& map, const std::string& path) {
   const auto names = builtinPictureNames();
   if (contains(names, path)) return Texels(builtinPicture(path));
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(texels, withName(path, map.srgb ? decodeColorTexture(bytes) : decodeDataTexture(bytes)));
+  MIRRORBALL_TRY(read, withName(path, map.srgb ? decodeColorTexture(bytes) : decodeDataTexture(bytes)));
+  warnOf(read.oddities, path, scene);
   scene.files.push_back(path);
-  return Result<Texels>(std::move(texels));
+  return Result<Texels>(std::move(read.picture));
 }
 
 Result<void> checkGiven(const std::string& name, const std::string& path) {
@@ -66,17 +72,18 @@ bool stretchToUnit(Image& heights) {
   return true;
 }
 
-Result<PictureHeights> readHeights(const std::string& path) {
+Result<PictureHeights> readHeights(const std::string& path, Scene& scene) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
-  PictureHeights of_picture = heightsOfPicture(std::move(numbers));
+  MIRRORBALL_TRY(read, withName(path, decodeNumbers(bytes)));
+  warnOf(read.oddities, path, scene);
+  PictureHeights of_picture = heightsOfPicture(std::move(read.picture));
   MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
   MIRRORBALL_TRY_VOID(withName(path, checkRange(of_picture.heights)));
   return of_picture;
 }
 
 Result<void> setHeights(Scene& scene, const std::string& path) {
-  MIRRORBALL_TRY(of_picture, readHeights(path));
+  MIRRORBALL_TRY(of_picture, readHeights(path, scene));
   if (!of_picture.is_grey)
     scene.warnings.push_back("height: " + path + " is in colour; its red channel is taken for the heights");
   if (stretchToUnit(of_picture.heights))
@@ -101,8 +108,9 @@ constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
 Result<void> setSlopes(Scene& scene, const std::string& path) {
   MIRRORBALL_TRY_VOID(checkGiven("derivative_map", path));
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
-  MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(numbers, holdsCodes(bytes))));
+  MIRRORBALL_TRY(read, withName(path, decodeNumbers(bytes)));
+  warnOf(read.oddities, path, scene);
+  MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(read.picture, holdsCodes(bytes))));
   if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");
   scene.slope_textures.push_back(std::move(slopes));

@@ -12,7 +12,7 @@ namespace mirrorball {
 /// its edges. Meshes without texture coordinates show one texel of it, of which the scene's warnings tell.
 ///
 /// errors   usage: a wrong key lists the right ones, a wrong value its range; bad_shape and non_finite: slopes of a
-///          derivative map that are none; as readImageFile's and decodeTexture's
+///          derivative map that are none; as readImageFile's and decodeColorTexture's
 Result<void> setParameter(Scene& scene, std::string_view assignment);
 
 /// What setParameter would say of an assignment, but for what is in a picture: without reading that.

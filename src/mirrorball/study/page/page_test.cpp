@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 namespace {
@@ -108,7 +108,7 @@ TEST_F(PageTest, HoldsEveryPictureItself) {
   for (const std::string& source : sources) {
     const std::string begin = "data:image/png;base64,";
     ASSERT_TRUE(source.starts_with(begin)) << source.substr(0, 40);
-    const auto picture = decodePngTexture(decodedBase64(source.substr(begin.size())));
+    const auto picture = decodeTexture(decodedBase64(source.substr(begin.size())));
     ASSERT_TRUE(picture) << picture.error().message;
     EXPECT_EQ(picture->width(), 2);
     greys.insert(picture->texel(1, 1)[0]);

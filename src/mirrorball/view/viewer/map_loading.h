@@ -7,9 +7,9 @@
 #include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/exif.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/photo/ball_view.h"
-#include "mirrorball/photo/exif.h"
 #include "mirrorball/view/map/prepared_map.h"
 #include "mirrorball/view/workspace/asked_map.h"
 

@@ -1,0 +1,102 @@
+#include "mirrorball/codec/ldr/coded_file.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/image/upright.h"
+
+namespace mirrorball {
+namespace {
+
+int channelsOf(const CodedPicture& picture) {
+  return std::visit([](const auto& codes) { return codes.channels(); }, picture);
+}
+
+/// Whether codes of 8 bits can hold the light: what is beyond them by less than half a code is rounding.
+bool fitsCodes(const Image& light) {
+  constexpr float kLeast = -0.5f / 255.0f / 12.92f;
+  constexpr float kMost = 1.0f + 0.5f / 255.0f;
+  return std::all_of(light.samples().begin(), light.samples().end(),
+                     [](float sample) { return sample >= kLeast && sample <= kMost; });
+}
+
+/// The remark on a profile that is not applied; sRGB's own by its name needs none.
+void tellUnreadProfile(CodedFile& file) {
+  const std::string& name = file.color.unread_profile;
+  if (!name.empty() && !name.starts_with("sRGB"))
+    file.oddities.push_back("has an ICC profile (" + name +
+                            ") that is no matrix with one curve, and is not applied: taken as sRGB");
+}
+
+/// The remark on colours that are not sRGB's as they stand.
+void tellColor(CodedFile& file) {
+  tellUnreadProfile(file);
+  if (!isSrgb(file.color))
+    file.oddities.push_back("its colours are not sRGB's: " + describeColor(file.color, channelsOf(file.codes)));
+}
+
+}  // namespace
+
+std::string uprightRemark(int orientation, const std::string& source) {
+  if (orientation <= 1 || orientation > 8) return {};
+  return "turned upright, as its " + source + " says (orientation " + std::to_string(orientation) + ")";
+}
+
+void turnUpright(CodedFile& file) {
+  std::string remark = uprightRemark(file.orientation, file.orientation_source);
+  if (remark.empty()) return;
+  file.oddities.push_back(std::move(remark));
+  std::visit([&](auto& codes) { codes = upright(std::move(codes), file.orientation); }, file.codes);
+  file.orientation = 1;
+}
+
+DecodedImage imageOf(CodedFile file) {
+  turnUpright(file);
+  tellUnreadProfile(file);
+  Image light = lightOf(file.codes, file.color);
+  std::string color = describeColor(file.color, light.channels());
+  DecodedImage image{std::move(light), std::move(file.metadata), std::move(file.format), std::move(color)};
+  image.oddities = std::move(file.oddities);
+  return image;
+}
+
+Decoded<Texels> colorTextureOf(CodedFile file) {
+  turnUpright(file);
+  tellColor(file);
+  if (isSrgb(file.color)) return {Texels(textureOf(std::move(file.codes))), std::move(file.oddities)};
+  Image light = withAlpha(lightOf(file.codes, file.color));
+  Texels texels = fitsCodes(light) ? Texels(pictureFromLinear(light, 4)) : Texels(std::move(light));
+  return {std::move(texels), std::move(file.oddities)};
+}
+
+Decoded<Texels> dataTextureOf(CodedFile file) {
+  turnUpright(file);
+  Texels texels = std::holds_alternative<Image8>(file.codes) ? Texels(textureOf(std::move(file.codes)))
+                                                             : Texels(withAlpha(sharesOf(file.codes)));
+  return {std::move(texels), std::move(file.oddities)};
+}
+
+Decoded<Image> numbersOf(CodedFile file) {
+  turnUpright(file);
+  return {sharesOf(file.codes), std::move(file.oddities)};
+}
+
+PictureCodes pictureCodesOf(CodedFile file) {
+  turnUpright(file);
+  tellColor(file);
+  return {textureOf(std::move(file.codes)), std::move(file.color), file.exif, std::move(file.oddities)};
+}
+
+Image withAlpha(Image image) {
+  if (image.channels() == 4) return image;
+  Image rgba = Image::withoutValues(image.width(), image.height(), 4);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      std::copy_n(&texel.x, 4, rgba.texel(x, y));
+    }
+  return rgba;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mirrorball/codec/color/coded_color.h"
+#include "mirrorball/codec/exif.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
+
+namespace mirrorball {
+
+/// The channels that a codec is asked for.
+enum class CodeForm {
+  stored,  ///< those of the file
+  rgba,    ///< four, where the format's library makes them as it decodes, which spares a copy; else as stored
+};
+
+/// A picture of integers as its file holds it, and all that the file says of it. A codec only fills this; what is made
+/// of it, here below, is the same for all formats.
+struct CodedFile {
+  CodedPicture codes;
+  CodedColor color = {};
+  int orientation = 1;                      ///< image/upright.h; the codes are not turned yet
+  std::string orientation_source = "EXIF";  ///< what in the file says so
+  Exif exif = {};                           ///< of which `orientation` above is the one that counts
+  Metadata metadata = {};
+  std::string format = {};                 ///< DecodedImage's
+  std::vector<std::string> oddities = {};  ///< DecodedImage's
+};
+
+/// "turned upright, as its EXIF says (orientation 6)": the remark on a picture that was not stored so; empty for one
+/// that was.
+std::string uprightRemark(int orientation, const std::string& source);
+
+/// Turns the codes upright, and says so.
+void turnUpright(CodedFile& file);
+
+/// Linear light with Rec.709's primaries, upright.
+///
+/// cost     the codes and the light stand side by side
+DecodedImage imageOf(CodedFile file);
+
+/// A texture of colours, upright: sRGB's codes of 8 bits and Rec.709. What has other codes is converted, and said to
+/// be; to floats where some light is beyond what codes hold.
+Decoded<Texels> colorTextureOf(CodedFile file);
+
+/// A texture of numbers, upright: codes of 8 bits as they are, others as shares. What the file says of colours means
+/// nothing.
+Decoded<Texels> dataTextureOf(CodedFile file);
+
+/// Numbers as shares of the greatest code, upright.
+Decoded<Image> numbersOf(CodedFile file);
+
+/// Codes of 8 bits as a camera made them, upright, and what they stand for.
+PictureCodes pictureCodesOf(CodedFile file);
+
+/// With alpha, which is 1 where there was none.
+Image withAlpha(Image image);
+
+}  // namespace mirrorball

@@ -1,0 +1,184 @@
+#include "mirrorball/codec/ldr/jpeg_reader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mirrorball/base/memory.h"
+#include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/ldr/jpeg_damage.h"
+#include "mirrorball/codec/ldr/jpeg_library.h"
+#include "mirrorball/codec/ldr/jpeg_segments.h"
+#include "mirrorball/codec/metadata.h"
+// Behind jpeglib.h, which it needs.
+#include <jerror.h>
+
+namespace mirrorball {
+namespace {
+
+/// An 8×8 block costs at least one bit, and a block of a component may cover 16 of them at the
+/// largest sampling ratio: at most 64 · 16 · 8 texels a byte.
+constexpr std::size_t kMaxTexelsPerByte = 64 * 16 * 8;
+
+/// A progressive file may have any number of scans, and one of 350 bytes can cover 16000 × 16000 texels: 3 MB of them
+/// take a quarter of an hour. Writers make about ten; libjpeg-turbo's own fuzz targets set this limit.
+constexpr int kMaxScans = 500;
+
+/// Called now and then while a file is decoded.
+void onProgress(j_common_ptr codec) {
+  if (reinterpret_cast<j_decompress_ptr>(codec)->input_scan_number <= kMaxScans) return;
+  auto* errors = reinterpret_cast<JpegErrors*>(codec->err);
+  std::snprintf(errors->message, sizeof errors->message, "it has more than %d scans", kMaxScans);
+  std::longjmp(errors->jump, 1);
+}
+
+struct Decompressor {
+  Decompressor() {
+    codec.err = installJpegErrors(errors);
+    errors.damage = &damage;
+    progress.progress_monitor = onProgress;
+  }
+  ~Decompressor() { jpeg_destroy_decompress(&codec); }
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
+
+  JpegErrors errors{};
+  JpegDamage damage;
+  jpeg_progress_mgr progress{};
+  jpeg_decompress_struct codec{};
+};
+
+/// How many bytes libjpeg has taken.
+std::size_t placeOf(const Decompressor& decoder, std::size_t size) {
+  const std::size_t left = decoder.codec.src ? decoder.codec.src->bytes_in_buffer : size;
+  return size - std::min(left, size);
+}
+
+tl::unexpected<Error> damagedAt(const Decompressor& decoder, std::size_t size, const std::string& text) {
+  return fail(ErrorCode::bad_file,
+              "is a damaged JPEG, at byte " + std::to_string(placeOf(decoder, size)) + ": " + text);
+}
+
+tl::unexpected<Error> jpegFailure(const Decompressor& decoder, std::size_t size) {
+  const std::string text = decoder.errors.message;
+  switch (decoder.errors.code) {
+    case JERR_BAD_PRECISION:
+    case JERR_SOF_UNSUPPORTED:
+      return fail(ErrorCode::unsupported, text + "; save it as baseline or progressive JPEG of 8 bits");
+    case JERR_OUT_OF_MEMORY:
+      return fail(ErrorCode::too_large, "not enough memory to decode it");
+    default:
+      return damagedAt(decoder, size, text);
+  }
+}
+
+Metadata readComments(const jpeg_decompress_struct& codec) {
+  Metadata metadata;
+  for (jpeg_saved_marker_ptr marker = codec.marker_list; marker; marker = marker->next)
+    if (marker->marker == JPEG_COM)
+      readMetadataLine({reinterpret_cast<const char*>(marker->data), marker->data_length}, metadata);
+  return metadata;
+}
+
+/// Reads up to the first scan and refuses what cannot be decoded.
+Result<void> readJpegHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes) {
+  jpeg_decompress_struct& codec = decoder.codec;
+  const bool read = guardedFromJpeg(decoder.errors, [&] {
+    jpeg_create_decompress(&codec);
+    codec.progress = &decoder.progress;
+    jpeg_mem_src(&codec, bytes.data(), static_cast<unsigned long>(bytes.size()));
+    jpeg_save_markers(&codec, JPEG_COM, 0xffff);
+    jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile
+    jpeg_read_header(&codec, TRUE);
+  });
+  if (!read) return jpegFailure(decoder, bytes.size());
+  MIRRORBALL_TRY_VOID(checkDimensions(codec.image_width, codec.image_height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
+  const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
+  if (texels / kMaxTexelsPerByte > bytes.size()) return cannotHold(codec.image_width, codec.image_height, bytes.size());
+  if (codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK)
+    return fail(ErrorCode::unsupported, "is a CMYK JPEG; save it as RGB");
+  return {};
+}
+
+/// The ICC profile in the file's markers, if there is one.
+IccProfile jpegProfile(Decompressor& decoder) {
+  JOCTET* profile = nullptr;
+  unsigned size = 0;
+  boolean found = FALSE;
+  const bool read =
+      guardedFromJpeg(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
+  const std::unique_ptr<JOCTET, decltype(&std::free)> owner(profile, &std::free);
+  return read && found ? readIccProfile({profile, size}) : IccProfile{};
+}
+
+/// Decodes the rows that are there.
+///
+/// errors   bad_file: libjpeg gives up before the first of them, which with several scans it may do although some are
+///          whole; too_large
+Result<void> readRows(Decompressor& decoder, Image8& picture, std::size_t size) {
+  jpeg_decompress_struct& codec = decoder.codec;
+  const JpegDamage& damage = decoder.damage;
+  const bool ended_well = guardedFromJpeg(decoder.errors, [&] {
+    jpeg_start_decompress(&codec);
+    while (codec.output_scanline < damage.end()) {
+      JSAMPROW row = picture.row(static_cast<int>(codec.output_scanline)).data();
+      jpeg_read_scanlines(&codec, &row, 1);
+    }
+    if (codec.output_scanline == codec.output_height) jpeg_finish_decompress(&codec);
+  });
+  if (!ended_well) {
+    if (codec.output_scanline == 0 || decoder.errors.code == JERR_OUT_OF_MEMORY) return jpegFailure(decoder, size);
+    decoder.damage.endAt(codec.output_scanline, decoder.errors.message);
+  }
+  decoder.damage.finish(codec);
+  return {};
+}
+
+/// errors   as readJpegPicture's; then `end` becomes where the segment begins, behind a scan, that libjpeg gave up in
+Result<JpegPicture> readUpTo(std::span<const std::uint8_t> bytes, CodeForm form, std::optional<std::size_t>& end) {
+  Decompressor decoder;
+  MIRRORBALL_TRY_VOID(readJpegHeader(decoder, bytes));
+  jpeg_decompress_struct& codec = decoder.codec;
+  const Exif exif = readJpegExif(bytes);
+  CodedFile file{.codes = {},
+                 .color = codedColor(jpegProfile(decoder)),
+                 .orientation = exif.orientation,
+                 .exif = exif,
+                 .metadata = readComments(codec),  // which finishing the decoding forgets, as it does the profile
+                 .format = "JPEG, 8 bit"};
+  const bool grey = codec.num_components == 1;
+  const int channels = form == CodeForm::rgba ? 4 : grey ? 1 : 3;
+  codec.out_color_space = channels == 4 ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
+  const auto width = static_cast<int>(codec.image_width), height = static_cast<int>(codec.image_height);
+
+  // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
+  Image8 picture = Image8::withoutValues(width, height, channels);
+  decoder.damage.expectRows(std::size_t(height));
+  if (Result<void> read = readRows(decoder, picture, bytes.size()); !read) {
+    constexpr std::size_t kEndMarker = 2;  // which libjpeg supplies itself where the bytes end
+    const bool is_by_libjpeg = decoder.errors.code != 0;
+    if (is_by_libjpeg) end = segmentBetweenScans(bytes, placeOf(decoder, bytes.size()) + kEndMarker);
+    return tl::unexpected<Error>(std::move(read).error());
+  }
+  const std::size_t missing_rows = decoder.damage.missingRows();
+  if (missing_rows == std::size_t(height)) return damagedAt(decoder, bytes.size(), decoder.damage.cause());
+  decoder.damage.blacken(picture);
+  if (std::string remark = decoder.damage.remark(); !remark.empty()) file.oddities.push_back(std::move(remark));
+  file.codes = std::move(picture);
+  return JpegPicture{std::move(file), missing_rows};
+}
+
+}  // namespace
+
+Result<JpegPicture> readJpegPicture(std::span<const std::uint8_t> bytes, CodeForm form) {
+  std::optional<std::size_t> end;
+  auto picture = readUpTo(bytes, form, end);
+  if (picture || !end || picture.error().code != ErrorCode::bad_file) return picture;
+  return readUpTo(bytes.first(*end), form, end);
+}
+
+}  // namespace mirrorball

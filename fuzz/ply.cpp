@@ -3,6 +3,6 @@
 #include "model.h"
 
 MIRRORBALL_HARNESS(ply) {
-  mirrorball::fuzz::checkModel(mirrorball::decodePly({data, size}));
+  mirrorball::fuzz::checkModel(mirrorball::decodePly({data, size}, "a.ply"));
   return 0;
 }

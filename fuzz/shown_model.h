@@ -27,9 +27,9 @@ namespace mirrorball::fuzz {
 inline Result<Scene> decodeModel(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (text.starts_with("glTF") || text.starts_with("{")) return decodeGltf(bytes, "a.gltf");
-  if (text.starts_with("ply")) return decodePly(bytes);
+  if (text.starts_with("ply")) return decodePly(bytes, "a.ply");
   const bool is_binary = text.find('\0') != std::string_view::npos;
-  return is_binary || text.starts_with("solid") ? decodeStl(bytes) : decodeObj(bytes, "a.obj");
+  return is_binary || text.starts_with("solid") ? decodeStl(bytes, "a.stl") : decodeObj(bytes, "a.obj");
 }
 
 /// A model that may be shown: what loadModel takes, if it is not too large for thousands of them to be tried.

@@ -3,6 +3,6 @@
 #include "model.h"
 
 MIRRORBALL_HARNESS(stl) {
-  mirrorball::fuzz::checkModel(mirrorball::decodeStl({data, size}));
+  mirrorball::fuzz::checkModel(mirrorball::decodeStl({data, size}, "a.stl"));
   return 0;
 }

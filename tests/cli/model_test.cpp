@@ -109,5 +109,38 @@ TEST_F(ModelCliTest, WhatAModelNamesOutsideOfItsFolderIsRefusedByAllCommandsIfTo
   EXPECT_THAT(run("export in/model.gltf -o out.glb").err, ::testing::HasSubstr("outside of its folder"));
 }
 
+// The colours and pictures of models as scanners and painters write them, and the notes on what is odd about their files.
+TEST_F(ModelCliTest, ModelsOfOtherProgramsAreShownAsTheyAreMeant) {
+  const std::string view =
+      " --camera 0,0 --orthographic 1.4142 --size 16x16 --background 0,0,0 --set unlit=yes -e white -o picture.exr";
+  const auto colorAt = [&](int x) {
+    const Image picture = image("picture.exr");
+    return glm::vec3(picture.texel(x, 8)[0], picture.texel(x, 8)[1], picture.texel(x, 8)[2]);
+  };
+  // A picture of red and blue, twice across and a quarter on.
+  std::string halves = "P6 8 1 255\n";
+  for (int x = 0; x < 8; ++x) halves += x < 4 ? std::string("\xFF\0\0", 3) : std::string("\0\0\xFF", 3);
+  write("two colors.ppm", halves);
+  write("my model.mtl", std::string("newmtl a\nKd 1 1 1\nmap_Kd -s 2 1 1 -o 0.25 0 0 two colors.ppm\n"));
+  write("tiled.obj", std::string("mtllib my model.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                 "vt 0 1\nusemtl a\nf 1/1 2/2 3/3 4/4\n"));
+  succeed("render tiled.obj" + view);
+  for (const auto& [x, red] : {std::pair(0, 1.0f), std::pair(4, 0.0f), std::pair(8, 1.0f), std::pair(12, 0.0f)})
+    EXPECT_NEAR(colorAt(x).r, red, 0.01f) << x;
+
+  write("painted.ply",
+        std::string("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                    "float z\nelement face 1\nproperty list uchar int vertex_indices\nproperty uchar "
+                    "red\nproperty uchar green\nproperty uchar blue\nend_header\n-1 -1 0\n1 -1 0\n1 1 "
+                    "0\n-1 1 0\n4 0 1 2 3 0 255 0\n"));
+  succeed("render painted.ply" + view);
+  EXPECT_LT(glm::length(colorAt(4) - glm::vec3(0, 1, 0)), 1e-3f);
+
+  write("cut.stl", std::string("SOLID a\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX -1 -1 0\nVERTEX 1 -1 0\nVERTEX 1 1 "
+                               "0\nENDLOOP\nENDFACET\n"));
+  EXPECT_EQ(run("render cut.stl" + view).err,
+            "mirrorball: note: cut.stl: does not end with 'endsolid'; it may be truncated\n");
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

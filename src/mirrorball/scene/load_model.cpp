@@ -92,16 +92,17 @@ struct ModelFormat {
 };
 
 /// A format whose files name no others.
-template <Result<Scene> (*decode)(std::span<const std::uint8_t>)>
-Result<Scene> withoutPath(std::span<const std::uint8_t> bytes, const std::filesystem::path&, const ModelLoadOptions&) {
-  return decode(bytes);
+template <Result<Scene> (*decode)(std::span<const std::uint8_t>, const std::filesystem::path&)>
+Result<Scene> withoutOptions(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                             const ModelLoadOptions&) {
+  return decode(bytes, path);
 }
 
 constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", decodeGltf},
                                                {"gltf", "a glTF", "", decodeGltf},
                                                {"obj", "an OBJ", "", decodeObj},
-                                               {"ply", "a PLY", "ply", withoutPath<decodePly>},
-                                               {"stl", "an STL", "", withoutPath<decodeStl>}}};
+                                               {"ply", "a PLY", "ply", decodePly},
+                                               {"stl", "an STL", "", withoutOptions<decodeStl>}}};
 
 /// A kind of file that other programs keep models in.
 struct ForeignFormat {

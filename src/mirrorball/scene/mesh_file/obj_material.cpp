@@ -3,129 +3,138 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/scene/material/texture_numbers.h"
-#include "mirrorball/scene/picture_decoding.h"
+#include "mirrorball/scene/mesh_file/named_pictures.h"
 
 namespace mirrorball {
 namespace {
 
-constexpr int kDiffuseWithoutHighlight = 1;  // an illumination model of the .mtl specification
+constexpr float kDiffuseWithoutHighlight = 1.0f;  // an illumination model of the .mtl specification
 
-float share(float number) { return std::isfinite(number) ? std::clamp(number, 0.0f, 1.0f) : 0.0f; }
+float fraction(float number) { return std::clamp(number, 0.0f, 1.0f); }
 
-std::string withSlashes(std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  return name;
-}
+std::string quotedName(const MtlMaterial& material) { return "the material '" + excerpt(material.name) + "'"; }
 
-std::string inQuotes(const std::string& name) { return "'" + excerpt(name) + "'"; }
-
-/// Pictures that materials share are read once for each use.
-class Pictures {
+/// Turns materials one by one, and gathers what remarks say of all of them.
+class MaterialConverter {
  public:
-  Pictures(ModelFiles& named, Scene& scene) : named_(named), scene_(scene) {}
+  MaterialConverter(NamedPictures& pictures, Scene& scene) : pictures_(pictures), scene_(scene) {}
 
-  /// The texture's index in the scene, or −1 where there is none or it cannot be read.
-  int texture(const std::string& name, TextureUse use) {
-    if (name.empty()) return -1;
-    const auto [found, is_new] = textures_.try_emplace({name, use}, -1);
-    if (!is_new) return found->second;
-    const auto bytes = readNamed(named_, name);
-    if (!bytes) {
-      scene_.warnings.push_back(bytes.error().message + "; the material goes without it");
-      return -1;
-    }
-    // Under another name it may be known already; what is read of one file lies in one place.
-    const auto [same, is_first] = of_bytes_.try_emplace({bytes->data(), use}, static_cast<int>(scene_.textures.size()));
-    if (is_first) {
-      pending_.push_back({name, *bytes, use});
-      scene_.textures.emplace_back().srgb = use != TextureUse::normals;
-    }
-    return found->second = same->second;
+  void add(const MtlMaterial& source) {
+    Material& material = scene_.materials.emplace_back();
+    material.name = source.name;
+    setColors(source, material);
+    setRoughness(source, material);
+    setOpacity(source, material);
+    setLayers(source, material);
+    setDetail(source, material);
+    for (const std::string& statement : source.left_out) ++left_out_[statement];
+    if (source.map(MtlMapKind::normals) && source.map(MtlMapKind::heights)) ++left_out_["bump"];
+    for (const MtlMap& map : source.maps)
+      if (map.has_other_range) ++left_out_["-mm"];
   }
 
-  void decode() {
-    std::vector<EncodedPicture> encoded;
-    for (const Pending& each : pending_) encoded.push_back({each.bytes, each.use != TextureUse::normals});
-    std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.budget());
-    for (std::size_t i = 0; i < decoded.size(); ++i) {
-      const std::string name = inQuotes(pending_[i].name);
-      const auto changes = decoded[i] ? setTexels(std::move(*decoded[i]), pending_[i].use, scene_.textures[i])
-                                      : Result<std::vector<std::string>>(fail(std::move(decoded[i])));
-      if (changes) {
-        for (const std::string& change : *changes) scene_.warnings.push_back(name + ": " + change);
-      } else {
-        scene_.warnings.push_back(name + ": " + changes.error().message + "; the material goes without it");
-        scene_.textures[i].image = Image8(1, 1, 4, 255);
-      }
+  void tell() const {
+    for (const auto& [statement, count] : left_out_)
+      scene_.warnings.push_back("what " + counted(count, "material") + (count == 1 ? " says" : " say") + " by '" +
+                                statement + "' is left out");
+  }
+
+  /// Says of pictures how their opacities are shown.
+  void chooseAlphaModes() {
+    for (const std::size_t index : with_opacity_picture_) {
+      Material& material = scene_.materials[index];
+      if (material.alpha_mode == AlphaMode::opaque)
+        material.alpha_mode = chooseAlphaMode(scene_.textures[std::size_t(material.base_color_map.texture)].image);
     }
   }
 
  private:
-  struct Pending {
-    std::string name;
-    std::span<const std::uint8_t> bytes;
-    TextureUse use;
-  };
+  void setColors(const MtlMaterial& source, Material& material) {
+    const MtlMap& colors = source.map(MtlMapKind::base_color) ? source.map(MtlMapKind::base_color) : source.ambient;
+    const MtlMap& opacity = source.map(MtlMapKind::opacity);
+    material.base_color_map =
+        opacity ? pictures_.colorsWithOpacity(colors, opacity) : pictures_.colors(colors, TextureUse::factors);
+    material.emission_map = pictures_.colors(source.map(MtlMapKind::emission), TextureUse::light);
+    if (opacity && material.base_color_map.texture >= 0) with_opacity_picture_.push_back(scene_.materials.size() - 1);
 
-  ModelFiles& named_;
+    const bool has_picture = colors && material.base_color_map.texture >= 0;
+    glm::vec3 color = source.diffuse.value_or(has_picture ? glm::vec3(0.0f) : material.base_color);
+    if (const float greatest = std::max({color.r, color.g, color.b}); greatest > 1.0f) {
+      scene_.warnings.push_back(quotedName(source) + " has a Kd of " + formatNumber(greatest) + ", beyond 1: " +
+                                (greatest <= 255.0f ? "it is read in parts of 255" : "it is cut to 1"));
+      if (greatest <= 255.0f) color /= 255.0f;
+    }
+    // Many programs write black beside a picture, which would hide it.
+    if (has_picture && color == glm::vec3(0.0f)) color = glm::vec3(1.0f);
+    material.base_color = glm::clamp(color, glm::vec3(0.0f), glm::vec3(1.0f));
+    material.emission =
+        glm::clamp(source.emission.value_or(glm::vec3(0.0f)), glm::vec3(0.0f), glm::vec3(kBrightestEmission));
+    if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
+  }
+
+  void setRoughness(const MtlMaterial& source, Material& material) {
+    // The width of the Beckmann lobe that a Phong highlight of this exponent has (Walter et al. 2007, section 5.2).
+    const float exponent = std::max(source.exponent.value_or(1.0f), 0.0f);
+    const float alpha = std::sqrt(2.0f / (exponent + 2.0f));
+    material.perceptual_roughness = source.roughness ? fraction(*source.roughness) : std::sqrt(alpha);
+    material.metallic = fraction(source.metallic.value_or(0.0f));
+    material.roughness_map = pictures_.factors(source.map(MtlMapKind::roughness));
+    material.metallic_map = pictures_.factors(source.map(MtlMapKind::metallic));
+    // A picture that is multiplied by 0, or by what is only a guess, would not be seen.
+    if (material.roughness_map.texture >= 0 && source.roughness.value_or(0.0f) == 0.0f)
+      material.perceptual_roughness = 1.0f;
+    if (material.metallic_map.texture >= 0 && material.metallic == 0.0f) material.metallic = 1.0f;
+    const bool has_highlight = source.specular && *source.specular != glm::vec3(0.0f);
+    if (source.illumination == kDiffuseWithoutHighlight && !has_highlight) material.specular = 0.0f;
+    if (source.ior && *source.ior > 1.0f) material.ior = std::min(*source.ior, 10.0f);
+  }
+
+  void setOpacity(const MtlMaterial& source, Material& material) {
+    material.opacity = fraction(source.dissolve.value_or(1.0f - source.transparency.value_or(0.0f)));
+    if (!source.dissolve && source.transparency && material.opacity == 0.0f) {
+      scene_.warnings.push_back(quotedName(source) +
+                                " has a Tr of 1 and no d, by which nothing of it is seen: it is read as opaque");
+      material.opacity = 1.0f;
+    }
+    if (material.opacity < 1.0f) material.alpha_mode = AlphaMode::blend;
+  }
+
+  static void setLayers(const MtlMaterial& source, Material& material) {
+    material.sheen_color = glm::vec3(fraction(source.sheen.value_or(0.0f)));
+    material.clearcoat = fraction(source.coat.value_or(0.0f));
+    material.clearcoat_roughness = fraction(source.coat_roughness.value_or(0.0f));
+    material.anisotropy = fraction(source.anisotropy.value_or(0.0f));
+    material.anisotropy_rotation = 2.0f * std::numbers::pi_v<float> * fraction(source.anisotropy_turns.value_or(0.0f));
+  }
+
+  void setDetail(const MtlMaterial& source, Material& material) {
+    const MtlMap& normals = source.map(MtlMapKind::normals);
+    material.normal_map = normals ? pictures_.normals(normals) : pictures_.heights(source.map(MtlMapKind::heights));
+    if (normals) material.normal_scale = std::clamp(normals.strength, -10.0f, 10.0f);
+    material.occlusion_map = pictures_.factors(source.map(MtlMapKind::occlusion));
+  }
+
+  NamedPictures& pictures_;
   Scene& scene_;
-  std::map<std::pair<std::string, TextureUse>, int> textures_;
-  std::map<std::pair<const std::uint8_t*, TextureUse>, int> of_bytes_;
-  std::vector<Pending> pending_;
+  std::map<std::string, std::size_t> left_out_;    // of how many materials which statement is
+  std::vector<std::size_t> with_opacity_picture_;  // materials
 };
-
-Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vector<std::string>& warnings) {
-  Material material;
-  material.name = source.name;
-  material.base_color = glm::vec3(share(source.diffuse[0]), share(source.diffuse[1]), share(source.diffuse[2]));
-  for (int channel = 0; channel < 3; ++channel)
-    if (const float light = source.emission[channel]; std::isfinite(light))
-      material.emission[channel] = std::max(light, 0.0f);
-  if (source.ior > 1.0f && std::isfinite(source.ior)) material.ior = source.ior;
-  material.opacity = share(source.dissolve);
-  if (material.opacity < 1.0f) material.alpha_mode = AlphaMode::blend;
-
-  // The width of the Beckmann lobe that a Phong highlight of this exponent has (Walter et al. 2007, section 5.2).
-  const float exponent = std::isfinite(source.shininess) ? std::max(source.shininess, 0.0f) : 0.0f;
-  const float alpha = std::sqrt(2.0f / (exponent + 2.0f));
-  material.perceptual_roughness = source.roughness > 0.0f ? share(source.roughness) : std::sqrt(alpha);
-  material.metallic = share(source.metallic);
-  const bool has_highlight = source.specular[0] > 0.0f || source.specular[1] > 0.0f || source.specular[2] > 0.0f;
-  if (source.illum == kDiffuseWithoutHighlight && !has_highlight) material.specular = 0.0f;
-
-  material.base_color_map.texture = pictures.texture(source.diffuse_texname, TextureUse::factors);
-  material.emission_map.texture = pictures.texture(source.emissive_texname, TextureUse::light);
-  material.normal_map.texture = pictures.texture(source.normal_texname, TextureUse::normals);
-  // Many programs write black beside a picture, which would hide it.
-  if (material.base_color_map.texture >= 0 && material.base_color == glm::vec3(0.0f))
-    material.base_color = glm::vec3(1.0f);
-  if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
-  for (const std::string& left_out : {source.bump_texname, source.alpha_texname})
-    if (!left_out.empty())
-      warnings.push_back("material " + inQuotes(source.name) + ": the picture " + inQuotes(left_out) + " is left out");
-  return material;
-}
 
 }  // namespace
 
-void addObjMaterials(std::span<const tinyobj::material_t> materials, ModelFiles& named, Scene& scene) {
-  Pictures pictures(named, scene);
-  for (const tinyobj::material_t& material : materials)
-    scene.materials.push_back(convert(material, pictures, scene.warnings));
+void addObjMaterials(std::span<const MtlMaterial> materials, NamedFiles& named, Scene& scene) {
+  NamedPictures pictures(named, scene);
+  MaterialConverter converter(pictures, scene);
+  for (const MtlMaterial& material : materials) converter.add(material);
   pictures.decode();
-}
-
-Result<std::span<const std::uint8_t>> readNamed(ModelFiles& named, const std::string& name) {
-  auto file = named.find(withSlashes(name));
-  if (!file) file.error().message.insert(0, inQuotes(name) + " ");
-  MIRRORBALL_TRY(path, std::move(file));
-  return named.read(path);
+  converter.chooseAlphaModes();
+  converter.tell();
 }
 
 }  // namespace mirrorball

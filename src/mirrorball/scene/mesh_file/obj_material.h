@@ -1,23 +1,23 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <string>
 
-#include <tiny_obj_loader.h>
-
-#include "mirrorball/scene/model_files.h"
+#include "mirrorball/scene/mesh_file/mtl.h"
+#include "mirrorball/scene/mesh_file/named_file.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
-/// Turns the materials of a .mtl into those of a scene, in their order, and loads their pictures. What cannot be read
-/// becomes a warning.
-void addObjMaterials(std::span<const tinyobj::material_t> materials, ModelFiles& named, Scene& scene);
-
-/// A file that an OBJ or a .mtl names, also as programs on Windows write it.
+/// Turns materials of a .mtl into those of a scene, in their order, and loads their pictures. What cannot be read, and
+/// what is read otherwise than it is written, becomes a warning.
 ///
-/// errors   as ModelFiles::find's and its read's: "'a.mtl' is missing; put it beside the model"
-Result<std::span<const std::uint8_t>> readNamed(ModelFiles& named, const std::string& name);
+/// - Kd is the base colour, linear, Ke the emission, Ni the index of refraction, d or 1 − Tr the opacity; where Tr alone
+///   would hide the whole material, it is read as the opacity, as which some programs write it (three.js issue 12861).
+/// - Ns is turned into the Beckmann roughness α = √(2/(Ns + 2)), which highlights of that exponent have; Pr, Pm, Ps, Pc,
+///   Pcr, aniso and anisor are what glTF calls roughness, metallic, sheen, clear coat with its roughness, and anisotropy.
+/// - Pictures multiply these as in glTF. One of base colours beside a Kd of 0, or none, is shown as it is.
+///
+/// scene   without textures so far
+void addObjMaterials(std::span<const MtlMaterial> materials, NamedFiles& named, Scene& scene);
 
 }  // namespace mirrorball

@@ -14,11 +14,11 @@ TEST(ObjTiff, PicturesMayBeTiff) {
   const auto write = [](const char* name, const Bytes& bytes) {
     ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));
   };
-  const auto bytesOf = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
+  const auto toBytes = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
   write("colour.tif", testing::tiffFile({.width = 1, .height = 1}, {1, 2, 3}));
-  write("obj_tiff.mtl", bytesOf("newmtl painted\nmap_Kd colour.tif\n"));
+  write("obj_tiff.mtl", toBytes("newmtl painted\nmap_Kd colour.tif\n"));
   const Result<Scene> scene =
-      decodeObj(bytesOf("mtllib obj_tiff.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n"),
+      decodeObj(toBytes("mtllib obj_tiff.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n"),
                 ::testing::TempDir() + "model.obj");
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_THAT(scene->warnings, ::testing::IsEmpty());

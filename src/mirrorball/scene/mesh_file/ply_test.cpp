@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 Bytes plyBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
-Result<Scene> decodePlyText(const Bytes& bytes) { return decodePly(bytes); }
+Result<Scene> decodePlyText(const Bytes& bytes) { return decodePly(bytes, "model.ply"); }
 
 void expectPlyRefused(const Bytes& bytes, ErrorCode code, const std::string& part) {
   const Result<Scene> scene = decodePlyText(bytes);
@@ -142,25 +142,26 @@ TEST(Ply, NamesWhatIsWrong) {
                    ErrorCode::bad_file, "more than its 6 bytes of data can hold");
   expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"), ErrorCode::bad_file,
                    "truncated");
-  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
-                   "line 2 of its data: no finite number for 'z' of vertex 1");
-  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 1e300\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file, "too large");
-  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), ErrorCode::bad_file,
-                   "uses vertex 3 of 3");
-  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), ErrorCode::bad_file,
-                   "uses vertex -1 of 3");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 up\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
+                   "line 2 of its data: no number for 'z' of its row 1");
+  for (const char* nowhere : {"nan", "1e300", "-inf"})
+    expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 " + nowhere + "\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
+                     "holds no face that can be drawn: 1 triangle reaches NaN or infinity");
+  for (const char* index : {"3", "-1", "0.5", "nan", "1e30"})
+    expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 " + index + "\n"), ErrorCode::bad_file,
+                     "1 triangle names a vertex that is not there");
   expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n99999999 0 1 2\n"), ErrorCode::bad_file,
                    "no valid length");
   expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                             "property float z\nend_header\n0 0 0\n"),
-                   ErrorCode::unsupported, "no faces");
+                   ErrorCode::unsupported, "holds no faces, but 1 point; only surfaces can be drawn: make one of them");
 }
 
 TEST(Ply, RefusesFacesThatPrecedeVerticesTheyLack) {
   expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
                             "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
                             "3 0 1 7\n0 0 0\n1 0 0\n0 1 0\n"),
-                   ErrorCode::bad_file, "uses vertex 7 of 3");
+                   ErrorCode::bad_file, "1 triangle names a vertex that is not there");
 }
 
 TEST(Ply, IsRefusedWhenCutAnywhere) {

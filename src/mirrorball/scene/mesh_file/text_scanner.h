@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
-
-#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 
@@ -31,18 +28,14 @@ class TextScanner {
     return text_.substr(begin, at_ - begin);
   }
 
-  /// The rest of the line, without its end, and steps past it.
+  /// The rest of the line, which LF, CR LF or CR ends, without that, and steps past it.
   std::string_view restOfLine() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-    std::size_t end = at_;
-    if (end > begin && text_[end - 1] == '\r') --end;
+    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+    const std::string_view rest = text_.substr(begin, at_ - begin);
     if (at_ < text_.size()) advance();
-    return text_.substr(begin, end - begin);
+    return rest;
   }
-
-  /// The next word as a number; nothing where it is none, or NaN or infinite.
-  std::optional<double> number() { return parseNumber(word()); }
 
   /// How many bytes are read.
   std::size_t position() const { return at_; }
@@ -52,7 +45,9 @@ class TextScanner {
     return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r' || letter == '\v' || letter == '\f';
   }
   void advance() {
-    if (text_[at_] == '\n') ++line_;
+    // Of "\r\n" the second ends the line.
+    const bool is_end = text_[at_] == '\n' || (text_[at_] == '\r' && text_.substr(at_ + 1, 1) != "\n");
+    if (is_end) ++line_;
     ++at_;
   }
 

@@ -1,0 +1,193 @@
+#include "mirrorball/scene/mesh_file/named_pictures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/height_field/slopes.h"
+#include "mirrorball/scene/picture_decoding.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr float kHeightOfBumps = 0.01f;  // texture widths; what Material::height_scale is by itself
+
+/// The transform of a .mtl, where v grows upwards: u' = s u + o. With v downwards, 1 − v' = s (1 − v) + o.
+TextureSlot transformed(const MtlMap& map, int texture) {
+  TextureSlot slot;
+  slot.texture = texture;
+  slot.scale = map.scale;
+  slot.offset = {map.offset.x, 1.0f - map.scale.y - map.offset.y};
+  return slot;
+}
+
+float pickOpacity(glm::vec4 texel, char channel, bool has_alpha) {
+  switch (channel) {
+    case 'r':
+      return texel.r;
+    case 'g':
+      return texel.g;
+    case 'b':
+      return texel.b;
+    case 'm':
+      return texel.a;
+    default:  // as it is by itself: Rec. 709's luma of what has no alpha
+      return has_alpha && channel != 'l' ? texel.a : 0.2126f * texel.r + 0.7152f * texel.g + 0.0722f * texel.b;
+  }
+}
+
+bool hasAlpha(const SharedPicture& picture) {
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      if (picture.at(x, y).a < 1.0f) return true;
+  return false;
+}
+
+void setAlpha(SharedPicture& picture, int x, int y, float alpha) {
+  if (picture.hasNumbers())
+    picture.editNumbers().texel(x, y)[3] = alpha;
+  else
+    picture.edit().texel(x, y)[3] = static_cast<std::uint8_t>(std::clamp(alpha, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+}  // namespace
+
+TextureSlot NamedPictures::colors(const MtlMap& map, TextureUse use) {
+  return add(map, use == TextureUse::light ? Reading::light : Reading::colors);
+}
+
+TextureSlot NamedPictures::colorsWithOpacity(const MtlMap& colors, const MtlMap& opacity) {
+  return add(colors, Reading::colors, &opacity);
+}
+
+TextureSlot NamedPictures::factors(const MtlMap& map) { return add(map, Reading::factors); }
+
+TextureSlot NamedPictures::normals(const MtlMap& map) { return add(map, Reading::normals); }
+
+TextureSlot NamedPictures::heights(const MtlMap& map) { return add(map, Reading::heights); }
+
+void NamedPictures::warn(const MtlMap& map, const std::string& what) {
+  scene_.warnings.push_back("'" + excerpt(map.readings[0]) + "': " + what);
+}
+
+std::span<const std::uint8_t> NamedPictures::read(const MtlMap& map) {
+  if (!map) return {};
+  const auto [known, is_new] = read_.try_emplace(map.readings);
+  if (!is_new) return known->second;
+  const auto file = named_.read(map.readings);
+  if (file)
+    known->second = file->bytes;
+  else
+    scene_.warnings.push_back(file.error().message + "; the material goes without it");
+  return known->second;
+}
+
+TextureSlot NamedPictures::add(const MtlMap& map, Reading reading, const MtlMap* opacity) {
+  const std::span<const std::uint8_t> bytes = read(map);
+  const std::span<const std::uint8_t> of_opacity = opacity != nullptr ? read(*opacity) : bytes.first(0);
+  if (bytes.empty() && of_opacity.empty()) return {};
+  // Without colours the opacities' own transform counts.
+  const MtlMap& placed = bytes.empty() ? *opacity : map;
+  const Key key(bytes.data(), of_opacity.data(), reading, placed.is_clamped,
+                reading == Reading::heights ? map.strength : 0.0f, opacity != nullptr ? opacity->channel : '\0');
+  const auto [found, is_first] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
+  if (is_first) {
+    pending_.push_back({reading, &placed, of_opacity.empty() ? nullptr : opacity, bytes, of_opacity});
+    Texture& texture = scene_.textures.emplace_back();
+    texture.srgb = reading == Reading::colors || reading == Reading::light;
+    if (placed.is_clamped) texture.wrap_s = texture.wrap_t = Wrap::clamp_to_edge;
+  }
+  return transformed(placed, found->second);
+}
+
+void NamedPictures::decode() {
+  std::vector<EncodedPicture> encoded;
+  for (const Pending& each : pending_) {
+    if (!each.bytes.empty())
+      encoded.push_back({each.bytes, each.reading == Reading::colors || each.reading == Reading::light});
+    if (each.opacity != nullptr) encoded.push_back({each.opacity_bytes, false});
+  }
+  std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.files().budget());
+  auto next = decoded.begin();
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    const Pending& each = pending_[i];
+    Texture& texture = scene_.textures[i];
+    Result<Texels> texels = each.bytes.empty() ? Result<Texels>(Image8(1, 1, 4, 255)) : std::move(*next++);
+    const auto filled = fill(each, std::move(texels), each.opacity != nullptr ? &*next++ : nullptr, texture);
+    if (filled) continue;
+    warn(*each.map, filled.error().message + "; the material goes without it");
+    texture.image = Image8(1, 1, 4, 255);
+  }
+}
+
+Result<void> NamedPictures::fill(const Pending& pending, Result<Texels> texels, Result<Texels>* opacity,
+                                 Texture& texture) {
+  TextureUse use = TextureUse::factors;
+  if (pending.reading == Reading::light) use = TextureUse::light;
+  if (pending.reading == Reading::normals) use = TextureUse::normals;
+  MIRRORBALL_TRY(read, std::move(texels));
+  MIRRORBALL_TRY(changes, setTexels(std::move(read), use, texture));
+  for (const std::string& change : changes) warn(*pending.map, change);
+  if (pending.reading == Reading::heights) return fillFromHeights(*pending.map, texture);
+  if (opacity == nullptr) return {};
+  const auto added = *opacity ? addOpacity(pending, std::move(**opacity), texture)
+                              : Result<void>(tl::unexpected<Error>(opacity->error()));
+  if (!added) warn(*pending.opacity, added.error().message + "; the material goes without it");
+  return {};
+}
+
+Result<void> NamedPictures::fillFromHeights(const MtlMap& map, Texture& texture) {
+  if (!isGrey(texture.image)) {
+    warn(map, "has colours, as normals have and heights have not: it is read as a normal map");
+    return {};
+  }
+  const SharedPicture& picture = texture.image;
+  Image heights(picture.width(), picture.height(), 1);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) *heights.texel(x, y) = picture.at(x, y).r;
+  MIRRORBALL_TRY_VOID(named_.files().budget().take(std::uint64_t{4} * sizeof(float) * heights.texelCount()));
+  MIRRORBALL_TRY(normals, normalsFromHeights(heights, {.edges = map.is_clamped ? MapEdges::clamped : MapEdges::tiled,
+                                                       .scale = kHeightOfBumps * map.strength}));
+  Image texels(normals.width(), normals.height(), 4, 1.0f);
+  for (int y = 0; y < normals.height(); ++y)
+    for (int x = 0; x < normals.width(); ++x) std::copy_n(normals.texel(x, y), 3, texels.texel(x, y));
+  texture.image = std::move(texels);
+  return {};
+}
+
+Result<void> NamedPictures::addOpacity(const Pending& pending, Texels texels, Texture& texture) {
+  Texture opacities;
+  MIRRORBALL_TRY(changes, setTexels(std::move(texels), TextureUse::factors, opacities));
+  for (const std::string& change : changes) warn(*pending.opacity, change);
+  const SharedPicture& alpha = opacities.image;
+  const bool has_alpha = hasAlpha(alpha);
+  // A picture of colours that is named a second time has its opacity in its alpha, if in anything.
+  if (pending.bytes.data() == pending.opacity_bytes.data() && !has_alpha) return {};
+  if (pending.bytes.empty()) {
+    MIRRORBALL_TRY_VOID(named_.files().budget().take(std::uint64_t{4} * alpha.texelCount()));
+    texture.image = Image8(alpha.width(), alpha.height(), 4, 255);
+  }
+  SharedPicture& shown = texture.image;
+  for (int y = 0; y < shown.height(); ++y)
+    for (int x = 0; x < shown.width(); ++x) {
+      const auto at = [](int place, int size, int of) { return int((2LL * place + 1) * of / (2LL * size)); };
+      const glm::vec4 texel = alpha.at(at(x, shown.width(), alpha.width()), at(y, shown.height(), alpha.height()));
+      setAlpha(shown, x, y, pickOpacity(texel, pending.opacity->channel, has_alpha));
+    }
+  return {};
+}
+
+AlphaMode chooseAlphaMode(const SharedPicture& picture) {
+  constexpr float kNear = 8.0f / 255.0f;
+  std::size_t between = 0, below = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const float alpha = picture.at(x, y).a;
+      below += alpha < 1.0f ? 1 : 0;
+      between += alpha > kNear && alpha < 1.0f - kNear ? 1 : 0;
+    }
+  if (below == 0) return AlphaMode::opaque;
+  return 10 * between <= picture.texelCount() ? AlphaMode::mask : AlphaMode::blend;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,395 @@
+#include "mirrorball/scene/mesh_file/ply_content.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/mesh_file/ply_values.h"
+#include "mirrorball/scene/mesh_file/polygon.h"
+#include "mirrorball/scene/mesh_file/vertex_colors.h"
+
+namespace mirrorball {
+namespace {
+
+/// What a property means, of a vertex or of a face.
+enum Role { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kRed, kGreen, kBlue, kAlpha, kPicture, kRoleCount };
+
+std::optional<Role> roleNamed(std::string_view name) {
+  constexpr std::pair<std::string_view, Role> kRoles[] = {
+      {"x", kX},
+      {"y", kY},
+      {"z", kZ},
+      {"nx", kNx},
+      {"ny", kNy},
+      {"nz", kNz},
+      {"normal_x", kNx},
+      {"normal_y", kNy},
+      {"normal_z", kNz},
+      {"u", kU},
+      {"v", kV},
+      {"s", kU},
+      {"t", kV},
+      {"texture_u", kU},
+      {"texture_v", kV},
+      {"texture_s", kU},
+      {"texture_t", kV},
+      {"red", kRed},
+      {"green", kGreen},
+      {"blue", kBlue},
+      {"alpha", kAlpha},
+      {"r", kRed},
+      {"g", kGreen},
+      {"b", kBlue},
+      {"a", kAlpha},
+      {"diffuse_red", kRed},
+      {"diffuse_green", kGreen},
+      {"diffuse_blue", kBlue},
+      {"diffuse_alpha", kAlpha},
+      {"texnumber", kPicture},
+  };
+  for (const auto& [role_name, role] : kRoles)
+    if (name == role_name) return role;
+  return {};
+}
+
+/// What a list of a face holds.
+enum class ListRole { none, corners, uvs };
+
+ListRole listRoleNamed(std::string_view name) {
+  for (const std::string_view corners : {"vertex_indices", "vertex_index", "vertex_indexes", "indices"})
+    if (name == corners) return ListRole::corners;
+  for (const std::string_view uvs : {"texcoord", "texcoords", "texture_coordinates", "t"})
+    if (name == uvs) return ListRole::uvs;
+  return ListRole::none;
+}
+
+/// The properties of an element, and the values of one of its rows.
+class Row {
+ public:
+  explicit Row(const PlyElement& element) : element_(element) {
+    for (const PlyProperty& property : element.properties) {
+      roles_.push_back(property.count_type ? std::nullopt : roleNamed(property.name));
+      if (roles_.back()) scales_[*roles_.back()] = isFloat(property.type) ? 1.0 : fullScale(property.type);
+    }
+  }
+
+  const std::vector<PlyProperty>& properties() const { return element_.properties; }
+  bool has(std::initializer_list<Role> roles) const {
+    return std::all_of(roles.begin(), roles.end(), [&](Role role) { return scales_[role] != 0.0; });
+  }
+  bool hasColor() const { return has({kRed, kGreen, kBlue}); }
+  double fullColor() const { return scales_[kRed]; }
+
+  void set(std::size_t property, double value) {
+    if (roles_[property]) values_[*roles_[property]] = value;
+  }
+  double at(Role role) const { return values_[role]; }
+
+  /// As the file has it; alpha is NaN where it has none.
+  glm::dvec4 color() const {
+    return {at(kRed), at(kGreen), at(kBlue), has({kAlpha}) ? at(kAlpha) : std::numeric_limits<double>::quiet_NaN()};
+  }
+
+ private:
+  const PlyElement& element_;
+  std::vector<std::optional<Role>> roles_;
+  std::array<double, kRoleCount> scales_{};  // 0: the property is absent
+  std::array<double, kRoleCount> values_{};
+};
+
+/// The greatest colour of an element's rows, by which it is known what their numbers are.
+struct ColorRange {
+  double greatest = 0.0;
+
+  void add(glm::dvec4 color) {
+    const double top = std::max({color.r, color.g, color.b});
+    if (std::isfinite(top)) greatest = std::max(greatest, top);
+  }
+
+  /// What stands for 1: of an integer wider than a byte that holds codes of bytes, and of a float that does, 255.
+  double full(double of_type) const {
+    if (of_type == 1.0) return greatest > 1.0 ? 255.0 : 1.0;
+    return of_type > 255.0 && greatest <= 255.0 ? 255.0 : of_type;
+  }
+};
+
+glm::vec4 toFloats(glm::dvec4 numbers) {
+  return {toFloat(numbers.x), toFloat(numbers.y), toFloat(numbers.z), toFloat(numbers.w)};
+}
+
+glm::vec2 downwards(double u, double v) {
+  const auto coordinate = [](double value) { return toFloat(std::clamp(value, -1e6, 1e6)); };
+  return {coordinate(u), coordinate(1.0 - v)};
+}
+
+class ContentReader {
+ public:
+  ContentReader(std::span<const std::uint8_t> file, const PlyHeader& header) : header_(header), values_(file, header) {}
+
+  Result<PlyContent> read() {
+    for (const PlyElement& element : header_.elements) {
+      MIRRORBALL_TRY_VOID(checkSize(element));
+      memory_ += memoryFor(element);
+      MIRRORBALL_TRY_VOID(checkMemory(memory_));
+      MIRRORBALL_TRY_VOID(element.isVertices() ? readVertices(element) : readFaces(element));
+    }
+    dropTrianglesOfNoPlace();
+    for (std::string& remark : values_.remarks()) content_.remarks.push_back(std::move(remark));
+    return std::move(content_);
+  }
+
+ private:
+  static constexpr std::uint64_t kOfCorner = 100;  // bytes, measured with triangles whose normals are computed
+  static constexpr std::uint64_t kOfOwn = 150;     // of a corner that has a vertex for itself, in growing lists
+
+  tl::unexpected<Error> wrong(const std::string& what) const {
+    return fail(ErrorCode::bad_file, values_.place() + ": " + what);
+  }
+
+  /// What an element takes at least, until the mesh has normals and tangents: a face is a triangle or more.
+  static std::uint64_t memoryFor(const PlyElement& element) {
+    if (element.isVertices()) return element.count * std::uint64_t{sizeof(Vertex) + sizeof(glm::dvec3)};
+    if (!element.isFaces()) return 0;
+    const bool has_own = Row(element).hasColor() || std::any_of(element.properties.begin(), element.properties.end(),
+                                                                [](const PlyProperty& property) {
+                                                                  return listRoleNamed(property.name) == ListRole::uvs;
+                                                                });
+    return element.count * 3 * (kOfCorner + (has_own ? kOfOwn : 0));
+  }
+
+  /// Refuses a count that the bytes cannot hold, before memory is taken for it.
+  Result<void> checkSize(const PlyElement& element) const {
+    std::size_t least = 0;
+    for (const PlyProperty& property : element.properties)
+      least += values_.minSize(property.count_type.value_or(property.type));
+    if (element.count > 0 && (least == 0 || element.count > values_.remaining() / least))
+      return fail(ErrorCode::bad_file, "the header names " + std::to_string(element.count) + " of '" +
+                                           excerpt(element.name) + "', more than its " +
+                                           std::to_string(values_.remaining()) +
+                                           " bytes of data can hold; the file is truncated");
+    return {};
+  }
+
+  Result<void> readVertices(const PlyElement& element) {
+    Row row(element);
+    if (!row.has({kX, kY, kZ})) return fail(ErrorCode::bad_file, "its vertices lack x, y or z");
+    content_.has_normals = row.has({kNx, kNy, kNz});
+    content_.has_uvs = row.has({kU, kV});
+    content_.has_colors = row.hasColor();
+    // A text has all the digits that it has, whatever its header says.
+    for (const PlyProperty& property : element.properties)
+      if (roleNamed(property.name) == kX)
+        content_.positions_are_floats = header_.encoding != PlyEncoding::ascii && property.type == PlyType::float32;
+
+    content_.vertices.reserve(content_.vertices.size() + element.count);
+    content_.positions.reserve(content_.positions.size() + element.count);
+    const std::size_t first = content_.vertices.size();
+    ColorRange range;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      MIRRORBALL_TRY_VOID(readRow(row, i));
+      addVertex(row);
+      if (content_.has_colors) range.add(row.color());
+    }
+    if (content_.has_colors)
+      for (Vertex& vertex : std::span(content_.vertices).subspan(first))
+        vertex.color = toLinear(vertex.color, row.fullColor(), range);
+    if (content_.has_colors) tellOfColors("vertices", row.fullColor(), range);
+    return {};
+  }
+
+  void addVertex(const Row& row) {
+    content_.positions.push_back(toPlace({row.at(kX), row.at(kY), row.at(kZ)}));
+    Vertex& vertex = content_.vertices.emplace_back();
+    if (content_.has_normals) vertex.normal = {toFloat(row.at(kNx)), toFloat(row.at(kNy)), toFloat(row.at(kNz))};
+    if (content_.has_uvs) vertex.uv[0] = vertex.uv[1] = downwards(row.at(kU), row.at(kV));
+    if (content_.has_colors) vertex.color = toFloats(row.color());
+  }
+
+  /// The linear colour of what the file has.
+  static glm::vec4 toLinear(glm::vec4 read, double full_of_type, const ColorRange& range) {
+    const auto full = static_cast<float>(range.full(full_of_type));
+    const glm::vec3 share = glm::vec3(read) / full;
+    const float alpha = std::isnan(read.a) ? 1.0f : std::clamp(read.a / full, 0.0f, 1.0f);
+    if (full != 1.0f) return {linearFromCodes(share), alpha};
+    return {glm::mix(glm::clamp(share, 0.0f, 1.0f), glm::vec3(1.0f), glm::isnan(share)), alpha};
+  }
+
+  void tellOfColors(const char* of, double full_of_type, const ColorRange& range) {
+    if (range.full(full_of_type) == full_of_type || range.greatest == 0.0) return;
+    content_.remarks.push_back("the colours of its " + std::string(of) + " go to " + formatNumber(range.greatest) +
+                               ", and are read as codes of 255");
+  }
+
+  Result<void> readRow(Row& row, std::size_t index) {
+    for (std::size_t i = 0; i < row.properties().size(); ++i) {
+      const PlyProperty& property = row.properties()[i];
+      if (property.count_type) {
+        MIRRORBALL_TRY_VOID(readList(property));
+        const ListRole role = listRoleNamed(property.name);
+        if (role == ListRole::corners) corners_ = list_;
+        if (role == ListRole::uvs) uvs_ = list_;
+        continue;
+      }
+      const std::optional<double> value = values_.next(property.type);
+      if (!value) return wrong("no number for '" + excerpt(property.name) + "' of its row " + std::to_string(index));
+      row.set(i, *value);
+    }
+    return {};
+  }
+
+  /// Reads any element but the vertices, and takes the faces and strips from it.
+  Result<void> readFaces(const PlyElement& element) {
+    Row row(element);
+    const bool has_own = element.isFaces() && (row.hasColor() || row.has({kPicture}));
+    ColorRange range;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      corners_.clear();
+      uvs_.clear();
+      MIRRORBALL_TRY_VOID(readRow(row, i));
+      if (element.isFaces())
+        addFace();
+      else if (element.name == "tristrips")
+        addStrips();
+      if (!has_own) continue;
+      PlyFace face;
+      if (row.hasColor()) face.color = toFloats(row.color());
+      if (row.hasColor()) range.add(row.color());
+      if (row.has({kPicture}) && std::abs(row.at(kPicture)) < 1e6) face.picture = static_cast<int>(row.at(kPicture));
+      content_.faces.resize(content_.indices.size() / 3, face);
+    }
+    if (!has_own || !row.hasColor()) return {};
+    content_.has_face_colors = true;
+    for (PlyFace& face : content_.faces) face.color = toLinear(face.color, row.fullColor(), range);
+    tellOfColors("faces", row.fullColor(), range);
+    return {};
+  }
+
+  Result<void> readList(const PlyProperty& property) {
+    const std::optional<double> length = values_.next(*property.count_type);
+    if (!length || !(*length >= 0.0) || *length != std::floor(*length) ||
+        *length > static_cast<double>(values_.remaining() / values_.minSize(property.type)))
+      return wrong("the list '" + excerpt(property.name) + "' has no valid length; the file may be truncated");
+    list_.clear();
+    for (auto left = static_cast<std::size_t>(*length); left > 0; --left) {
+      const std::optional<double> value = values_.next(property.type);
+      if (!value) return wrong("no number in the list '" + excerpt(property.name) + "'");
+      list_.push_back(*value);
+    }
+    return {};
+  }
+
+  /// The index as a mesh stores it; where the vertices are known already it must be one of them.
+  std::optional<std::uint32_t> findIndex(double value) const {
+    if (!(value >= 0.0) || value != std::floor(value) || value >= 4294967295.0) return {};
+    if (!content_.vertices.empty() && value >= static_cast<double>(content_.vertices.size())) return {};
+    return static_cast<std::uint32_t>(value);
+  }
+
+  void addFace() {
+    if (corners_.size() < 3) return;
+    face_.clear();
+    for (const double value : corners_) {
+      const std::optional<std::uint32_t> corner = findIndex(value);
+      if (!corner) {
+        content_.repair.triangles_of_no_vertex += corners_.size() - 2;
+        return;
+      }
+      face_.push_back(*corner);
+    }
+    // Faces that precede their vertices: a fan is all one can do.
+    if (face_.size() == 3 || content_.vertices.empty()) {
+      for (std::uint32_t i = 1; i + 1 < face_.size(); ++i) addTriangle({0, i, i + 1});
+      return;
+    }
+    polygon_.clear();
+    // From its first corner, so that floats hold it wherever it lies.
+    const glm::dvec3 origin = content_.positions[face_[0]];
+    for (const std::uint32_t corner : face_) polygon_.emplace_back(content_.positions[corner] - origin);
+    if (std::any_of(polygon_.begin(), polygon_.end(), [](glm::vec3 place) { return std::isnan(place.x); })) {
+      content_.repair.triangles_of_no_place += face_.size() - 2;
+      return;
+    }
+    for (const auto& triangle : triangulate(polygon_)) addTriangle(triangle);
+  }
+
+  /// Of corners of the face.
+  void addTriangle(std::array<std::uint32_t, 3> corners) {
+    for (const std::uint32_t corner : corners) content_.indices.push_back(face_[corner]);
+    if (uvs_.size() != 2 * face_.size()) return;
+    // Faces before the first with coordinates have none.
+    content_.corner_uvs.resize(content_.indices.size() - 3);
+    for (const std::uint32_t corner : corners)
+      content_.corner_uvs.push_back(downwards(uvs_[2 * std::size_t(corner)], uvs_[2 * std::size_t(corner) + 1]));
+  }
+
+  /// A strip's triangles turn alternately; −1 begins a new strip.
+  void addStrips() {
+    std::vector<std::optional<std::uint32_t>> strip;
+    for (const double value : corners_) {
+      if (value == -1.0) {
+        strip.clear();
+        continue;
+      }
+      strip.push_back(findIndex(value));
+      const std::size_t count = strip.size();
+      if (count < 3) continue;
+      const bool odd = count % 2 == 0;
+      const auto a = strip[count - 3], b = strip[count - (odd ? 1 : 2)], c = strip[count - (odd ? 2 : 1)];
+      if (a && b && c)
+        content_.indices.insert(content_.indices.end(), {*a, *b, *c});
+      else
+        ++content_.repair.triangles_of_no_vertex;
+    }
+  }
+
+  /// Vertices may follow their faces, so that only now it is known which are there.
+  void dropTrianglesOfNoPlace() {
+    if (!content_.corner_uvs.empty()) content_.corner_uvs.resize(content_.indices.size());
+    if (!content_.faces.empty()) content_.faces.resize(content_.indices.size() / 3);
+    std::size_t kept = 0;
+    for (std::size_t triangle = 0; triangle < content_.indices.size() / 3; ++triangle) {
+      const auto corners = std::span(content_.indices).subspan(3 * triangle, 3);
+      const bool has_vertices =
+          std::all_of(corners.begin(), corners.end(), [&](std::uint32_t i) { return i < content_.vertices.size(); });
+      const bool has_places = has_vertices && std::none_of(corners.begin(), corners.end(), [&](std::uint32_t i) {
+                                return std::isnan(content_.positions[i].x);
+                              });
+      if (!has_vertices) ++content_.repair.triangles_of_no_vertex;
+      if (has_vertices && !has_places) ++content_.repair.triangles_of_no_place;
+      if (!has_places) continue;
+      std::copy_n(corners.begin(), 3, content_.indices.begin() + std::ptrdiff_t(3 * kept));
+      if (!content_.corner_uvs.empty())
+        std::copy_n(content_.corner_uvs.begin() + std::ptrdiff_t(3 * triangle), 3,
+                    content_.corner_uvs.begin() + std::ptrdiff_t(3 * kept));
+      if (!content_.faces.empty()) content_.faces[kept] = content_.faces[triangle];
+      ++kept;
+    }
+    content_.indices.resize(3 * kept);
+    if (!content_.corner_uvs.empty()) content_.corner_uvs.resize(3 * kept);
+    if (!content_.faces.empty()) content_.faces.resize(kept);
+  }
+
+  const PlyHeader& header_;
+  PlyValues values_;
+  PlyContent content_;
+  std::uint64_t memory_ = 0;  // of the elements that were read [bytes]
+  std::vector<double> list_;
+  std::vector<double> corners_;  // of the row
+  std::vector<double> uvs_;      // of the row
+  std::vector<std::uint32_t> face_;
+  std::vector<glm::vec3> polygon_;
+};
+
+}  // namespace
+
+Result<PlyContent> readPlyContent(std::span<const std::uint8_t> file, const PlyHeader& header) {
+  return ContentReader(file, header).read();
+}
+
+}  // namespace mirrorball

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -80,6 +83,33 @@ TEST_F(ReferenceAgainstRendererTest, TintedReflectionsAreTheSame) {
   succeed(line + "-o drawn.exr");
   run(line + "--reference --bounces 1 --unoccluded -o traced.exr");
   EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 40.0);
+}
+
+/// Squares of a sheet of glass with a front alone: one that faces +Z, and half a unit behind it one that faces −Z.
+std::string paneOfTwoSheets() {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR");
+  return maker.gltf(R"({"attributes":{"POSITION":0},"indices":1,"material":0})",
+                    R"("nodes":[{"mesh":0},{"mesh":0,"translation":[0,0,-0.5],"rotation":[0,1,0,0]}],"materials":[)"
+                    R"({"pbrMetallicRoughness":{"baseColorFactor":[0.8,0.5,0.3,1],"metallicFactor":0,)"
+                    R"("roughnessFactor":0},"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}])");
+}
+
+// A sheet that has no back is not there for an eye behind it, nor for one that sees it through another sheet.
+TEST_F(ReferenceAgainstRendererTest, SheetsOfGlassAreTheSameFromBehind) {
+  write("pane.gltf", paneOfTwoSheets());
+  succeed("convert studio --to cube --size 256 --format float32 -o room.ktx2");
+  const std::string plane =
+      "plane --set transmission=1 --set thin_walled=yes --set perceptual_roughness=0 "
+      "--set base_color=0.8,0.5,0.3 --set double_sided=";
+  for (const std::string& model : {plane + "no", plane + "yes", std::string("pane.gltf")})
+    for (const char* camera : {"20,30", "200,-30"}) {
+      const std::string line = "render " + model + " -e room.ktx2 --camera " + camera + " --size 48x48 --samples 64 ";
+      succeed(line + "-o drawn.exr");
+      run(line + "--reference -o traced.exr");
+      EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 35.0) << line;
+    }
 }
 
 // What lies behind the side of a stone that faces the eye is hidden, and no part of what a pixel sees of the stone.

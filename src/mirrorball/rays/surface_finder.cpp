@@ -24,7 +24,8 @@ bool SurfaceFinder::passes(const Hit& hit, Ray& ray, bool meets_bodies_alone) {
     return true;
   const Material& material = materialOf(scene_, hit.instance);
   const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
-  const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
+  // doubleSided does not count for bodies, and does for sheets of glass (KHR_materials_volume, "Properties").
+  const bool has_back = material.double_sided || isBody(material) || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
   if (!isBody(material)) return !is_there || (meets_bodies_alone && ray.from);

@@ -122,6 +122,21 @@ TEST(Transmission, WhiteStaysWhiteInBodiesInBodies) {
   }
 }
 
+// glTF 2.0, section 3.9.5, and KHR_materials_volume: doubleSided counts for sheets, whose backs the eye passes.
+TEST(Transmission, ASheetWithAFrontAloneIsPassedFromBehind) {
+  Material sheet = clear(1.5f);
+  sheet.thin_walled = true;
+  sheet.specular = 0.0f;
+  sheet.base_color = glm::vec3(0.5f);
+  const auto middle = [&](bool double_sided) {
+    sheet.double_sided = double_sided;
+    const Image image = traced(balls({{1.0f, sheet}}), lightOf(1.0f), small(16));
+    return image.texel(image.width() / 2, image.height() / 2)[0];
+  };
+  EXPECT_NEAR(middle(false), 0.5f, 1e-3f);
+  EXPECT_NEAR(middle(true), 0.25f, 1e-3f);
+}
+
 // A rough body of the index of what is around it is nothing, however its light is found.
 TEST(Transmission, ARoughBodyOfIndexOneIsInvisible) {
   Material rough = clear(1.0f);

@@ -1,5 +1,8 @@
-// Models that cannot be read: one clear line each, exit code 1, nothing written.
+// Models that cannot be read: one clear line each, exit code 1, nothing written. Those of which something is left are
+// drawn, with a note.
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -52,6 +55,15 @@ class BadModelTest : public RenderCliTest {
   void refuseTriangle(const TriangleGltf& gltf, const std::string& what) const {
     write("triangle.gltf", gltf.text());
     refuseModel("triangle.gltf", what);
+  }
+
+  /// `render` draws a model file, with one note of `what`.
+  void drawWithNote(const std::string& name, const std::string& what) const {
+    const Outcome outcome = run("render " + name + " -e white --size 8x8 -o out.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("mirrorball: note: " + name + ": "), HasSubstr(what)));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(image("out.png").width(), 8);
   }
 };
 
@@ -158,19 +170,34 @@ TEST_F(BadModelTest, NumbersThatReachBeyondTheirBuffer) {
   refuseTriangle({.node = R"({"mesh": 7})"}, "nodes[0]");
 }
 
-TEST_F(BadModelTest, ATextureThatIsMissingOutOfRangeOrNoPicture) {
-  refuseTriangle({.images = R"([{"uri": "none.png"}])"}, "none.png");
+// As of an OBJ: the model is worth showing without it.
+TEST_F(BadModelTest, WithoutATextureThatIsMissingOutOfRangeOrNoPictureItIsDrawnWithANote) {
+  const auto drawTriangle = [&](const TriangleGltf& gltf, const std::string& what) {
+    write("triangle.gltf", gltf.text());
+    drawWithNote("triangle.gltf", what);
+  };
+  drawTriangle({.images = R"([{"uri": "none.png"}])"},
+               "'none.png' is missing; put it beside the model; the picture is");
   write("words.png", std::string("no picture"));
-  refuseTriangle({.images = R"([{"uri": "words.png"}])"}, "images[0]");
+  drawTriangle({.images = R"([{"uri": "words.png"}])"}, "images[0]");
   write("empty.png", std::string());
-  refuseTriangle({.images = R"([{"uri": "empty.png"}])"}, "images[0]");
-  refuseTriangle({.textures = R"([{"source": 9}])"}, "textures[0]");
-  refuseTriangle({.textures = "[]"}, "baseColorTexture");
+  drawTriangle({.images = R"([{"uri": "empty.png"}])"}, "images[0] is empty");
+  drawTriangle({.images = R"([{"uri": "C:\\maps\\Color.PNG"}])"}, "is read from 'color.png' in the model's folder");
+  drawTriangle({.textures = R"([{"source": 9}])"}, "textures[0]");
+  drawTriangle({.textures = "[]"}, "baseColorTexture");
+}
+
+TEST_F(BadModelTest, NormalsOfNoDirectionAreMadeAndTold) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  maker.accessor(std::vector<float>{0, 0, 1, 0, 0, 0, std::nanf(""), 0, 1}, "VEC3");
+  write("normals.glb", maker.glb(R"({"attributes":{"POSITION":0,"NORMAL":1}})"));
+  drawWithNote("normals.glb", "2 normals have no direction and are made from the triangles around");
 }
 
 TEST_F(BadModelTest, AnIndexBeyondTheVertices) {
   write("model.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"));
-  refuseModel("model.obj", "vertex 9");
+  refuseModel("model.obj", "names a vertex that is not there");
   write("model.ply",
         std::string(
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"

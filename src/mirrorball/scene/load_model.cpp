@@ -165,10 +165,10 @@ const ModelFormat* formatBegunBy(std::span<const std::uint8_t> begin) {
   return nullptr;
 }
 
-/// The format of a file by its name, else by its first bytes.
+/// The format of a file by its first bytes where these tell it, whatever its name says; else by its name.
 const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
-  const ModelFormat* format = formatOfName(path);
-  return format != nullptr ? format : formatBegunBy(begin);
+  const ModelFormat* format = formatBegunBy(begin);
+  return format != nullptr ? format : formatOfName(path);
 }
 
 /// The names of the models in a folder, in the alphabet's order.
@@ -258,6 +258,8 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     findNormalZeros(decoded, name_or_path);
     MIRRORBALL_TRY_VOID(withName(name_or_path, drawAboutMiddle(decoded)));
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
+    if (const ModelFormat* named = formatOfName(name_or_path); named != nullptr && named->decode != format->decode)
+      scene.warnings.push_back(name_or_path + ": is " + std::string(format->name) + " by its first bytes, and read so");
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");
     else if (const auto remark = remarkOnOrigin(scene))

@@ -12,8 +12,8 @@
 
 namespace mirrorball {
 
-/// Loads a model: a built-in by its name, else a file by its extension (modelExtensions), or of another name by its
-/// first bytes (binary glTF, PLY).
+/// Loads a model: a built-in by its name, else a file by its first bytes (binary glTF, PLY), whatever it is called, or
+/// by its extension (modelExtensions).
 ///
 /// options  with an animation, the scene is as that shows it (scene/animation/pose.h)
 /// returns  a scene whose every index is in range and every number finite: safe to draw

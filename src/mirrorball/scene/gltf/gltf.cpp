@@ -21,7 +21,10 @@
 #include "mirrorball/scene/gltf/gltf_nodes.h"
 #include "mirrorball/scene/gltf/gltf_parts.h"
 #include "mirrorball/scene/gltf/gltf_pointer.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
 #include "mirrorball/scene/gltf/gltf_skin.h"
+#include "mirrorball/scene/mesh_file/named_file.h"
+#include "mirrorball/scene/mesh_repair.h"
 
 namespace mirrorball {
 namespace gltf {
@@ -67,17 +70,21 @@ class SceneBuilder {
 
   Result<Scene> build() {
     if (const std::vector<std::string>& unread = document_.unread_extensions; !unread.empty())
-      warn("what it says by " + join(unread, ", ", " and ") + " is left out");
+      leaveOut("what it says by " + join(unread, ", ", " and "));
     MIRRORBALL_TRY(placements, addNodes());
     if (has_more_lights_) leaveOut("all of its light but " + std::to_string(Scene::kMaxLights) + " lamps");
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
     scene_.variants = document_.variants;
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
-    MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_));
+    MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_, file_.remarks));
     MIRRORBALL_TRY_VOID(readAnimations(file_, ofFile()));
     MIRRORBALL_TRY_VOID(poseAtRest(scene_));
-    if (scene_.instances.empty()) return fail(ErrorCode::bad_file, "its scene shows no triangles");
+    if (scene_.instances.empty())
+      return tl::unexpected<Error>(
+          file_.remarks.firstDamage().value_or(Error{ErrorCode::bad_file, "its scene shows no triangles"}));
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
+    for (const std::string& spelling : file_.files.remarks()) file_.remarks.tell(spelling);
+    for (const std::string& line : file_.remarks.lines()) scene_.warnings.push_back(file_.name + ": " + line);
     return std::move(scene_);
   }
 
@@ -91,33 +98,72 @@ class SceneBuilder {
     WantedDeformation wanted;
     std::string key;
   };
+  /// A node of the rig, and the file's that it was.
+  struct RigPlace {
+    int node;  // of the file
+    glm::dmat4 world;
+  };
+
   /// Gives the rig its nodes, and the scene what they have beside meshes; lists the meshes that they show.
   Result<std::vector<Placement>> addNodes() {
-    MIRRORBALL_TRY(listed, nodesOfScene(document_));
-    for (std::size_t i = 0; i < listed.size(); ++i) places_[std::size_t(listed[i].node)] = static_cast<int>(i);
-    const std::vector<bool> morphing = nodesWithAnimatedWeights(document_);
+    const std::vector<ListedNode> listed = nodesOfScene(document_, file_.remarks);
     MIRRORBALL_TRY_VOID(takeNodes(listed));
-    std::vector<glm::dmat4> worlds;
-    worlds.reserve(listed.size());
+    const std::vector<RigPlace> places = placeNodes(listed);
+    const std::vector<bool> morphing = nodesWithAnimatedWeights(document_);
     std::vector<Placement> placements;
-    for (const ListedNode& each : listed) {
-      const Node& node = document_.nodes[std::size_t(each.node)];
-      const std::string key = quoted("nodes", std::size_t(each.node));
-      scene_.rig.nodes.push_back({.name = node.name, .parent = each.parent, .place = node.place});
-      worlds.push_back((each.parent < 0 ? glm::dmat4(1.0) : worlds[std::size_t(each.parent)]) *
-                       parentFromNode(node.place));
-      if (!isWithinFloats(worlds.back())) return fail(ErrorCode::bad_file, key + " has a transform that is too large");
-      if (node.mesh != -1) {
-        MIRRORBALL_TRY_VOID(checkIndex(node.mesh, document_.meshes.size(), key + ".mesh", "mesh"));
-        MIRRORBALL_TRY(placement, placementOf(node, morphing[std::size_t(each.node)], key));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::size_t index = std::size_t(places[i].node);
+      const Node& node = document_.nodes[index];
+      const std::string key = quoted("nodes", index);
+      if (isThere(node.mesh, document_.meshes.size(), key + ".mesh", "mesh")) {
+        MIRRORBALL_TRY(placement, placementOf(node, static_cast<int>(i), morphing[index], key));
         // What is scaled to nothing is a file's way to hide it, at least until something moves.
-        const bool is_seen = glm::determinant(glm::dmat3(worlds.back())) != 0.0 || placement.skin >= 0;
-        if (is_seen || !document_.animations.empty()) placements.push_back(placement);
+        const bool is_seen = glm::determinant(glm::dmat3(places[i].world)) != 0.0 || placement.skin >= 0;
+        if (is_seen || !document_.animations.empty())
+          placements.push_back(placement);
+        else
+          file_.remarks.leaveOut(key + " has no volume by its scale", "mesh of such a node");
       }
-      MIRRORBALL_TRY_VOID(addCamera(node, worlds.back(), key));
-      MIRRORBALL_TRY_VOID(addLight(node, worlds.back(), key));
+      addCamera(node, static_cast<int>(i), places[i].world, key);
+      addLight(node, static_cast<int>(i), places[i].world, key);
     }
     return placements;
+  }
+
+  /// Gives the rig the nodes that are somewhere, and leaves out the others with all that hangs on them.
+  std::vector<RigPlace> placeNodes(const std::vector<ListedNode>& listed) {
+    constexpr int kNone = -2;
+    std::vector<int> in_rig(listed.size(), kNone);
+    std::vector<RigPlace> places;
+    places.reserve(listed.size());
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+      const int parent = listed[i].parent < 0 ? -1 : in_rig[std::size_t(listed[i].parent)];
+      if (parent == kNone) continue;
+      const Node& node = document_.nodes[std::size_t(listed[i].node)];
+      const std::string key = quoted("nodes", std::size_t(listed[i].node));
+      const glm::dmat4 world =
+          (parent < 0 ? glm::dmat4(1.0) : places[std::size_t(parent)].world) * parentFromNode(node.place);
+      if (!node.is_somewhere || !isWithinFloats(world)) {
+        const char* why = node.is_somewhere ? " has a transform that is too large" : " has a transform that holds NaN";
+        file_.remarks.leaveOut({ErrorCode::bad_file, key + why}, "node with all below it");
+        continue;
+      }
+      if (!node.has_rotation)
+        file_.remarks.leaveOut({ErrorCode::bad_file, key + ".rotation has no length"}, "rotation");
+      in_rig[i] = static_cast<int>(places.size());
+      places_[std::size_t(listed[i].node)] = in_rig[i];
+      scene_.rig.nodes.push_back({.name = node.name, .parent = parent, .place = node.place});
+      places.push_back({listed[i].node, world});
+    }
+    return places;
+  }
+
+  /// Whether an index is one of `count` things; −1 is none. Another that is not there is told of.
+  bool isThere(int index, std::size_t count, const std::string& key, const char* thing) {
+    if (index == -1) return false;
+    const Result<void> exists = checkIndex(index, count, key, thing);
+    if (!exists) file_.remarks.leaveOut(exists.error(), "reference");
+    return exists.has_value();
   }
 
   /// Asks for the memory of the rig's nodes, and of where each is in the world, before it is taken.
@@ -125,7 +171,7 @@ class SceneBuilder {
   /// errors   too_large
   Result<void> takeNodes(const std::vector<ListedNode>& listed) {
     constexpr std::size_t kInString = 15;  // letters that take no memory of their own
-    std::uint64_t bytes = listed.size() * (sizeof(RigNode) + sizeof(glm::dmat4) + sizeof(Placement));
+    std::uint64_t bytes = listed.size() * (sizeof(RigNode) + sizeof(RigPlace) + sizeof(Placement));
     for (const ListedNode& each : listed) {
       const std::string& name = document_.nodes[std::size_t(each.node)].name;
       if (name.size() > kInString) bytes += name.size() + 2 * sizeof(void*);
@@ -135,9 +181,9 @@ class SceneBuilder {
     return {};
   }
 
-  /// What the last node of the rig shows, which gets its weights.
-  Result<Placement> placementOf(const Node& node, bool weights_move, const std::string& key) {
-    Placement placement{node.mesh, static_cast<int>(scene_.rig.nodes.size()) - 1, -1, false};
+  /// What a node of the rig shows, which gets its weights.
+  Result<Placement> placementOf(const Node& node, int place, bool weights_move, const std::string& key) {
+    Placement placement{node.mesh, place, -1, false};
     MIRRORBALL_TRY(skin, rigSkin(node.skin, key + ".skin"));
     placement.skin = skin;
     const Morphing& mesh = morphingOf(node.mesh);
@@ -145,7 +191,7 @@ class SceneBuilder {
     placement.morphs = mesh.targets > 0 && (weights_move || are_set);
     if (!placement.morphs) return placement;
     MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(mesh.targets * sizeof(float))));
-    std::vector<float>& weights = scene_.rig.nodes.back().weights;
+    std::vector<float>& weights = scene_.rig.nodes[std::size_t(place)].weights;
     weights = node.weights.empty() ? document_.meshes[std::size_t(node.mesh)].weights : node.weights;
     weights.resize(mesh.targets, 0.0f);
     return placement;
@@ -170,64 +216,61 @@ class SceneBuilder {
     return std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0.0f; });
   }
 
-  /// The place in the rig of a skin of the file; −1: none.
+  /// The place in the rig of a skin of the file; −1: none, or none that can be read.
+  ///
+  /// errors   too_large
   Result<int> rigSkin(int skin, const std::string& key) {
-    if (skin == -1) return -1;
-    MIRRORBALL_TRY_VOID(checkIndex(skin, document_.skins.size(), key, "skin"));
+    if (!isThere(skin, document_.skins.size(), key, "skin")) return -1;
     const auto [known, is_new] = skins_.try_emplace(skin, -1);
     if (!is_new) return known->second;
-    MIRRORBALL_TRY(read, readSkin(file_, skin, places_));
-    if (read.joints.empty()) {
+    Result<Skin> read = readSkin(file_, skin, places_);
+    if (!read && !isDamage(read.error())) return fail(std::move(read));
+    if (!read) {
+      file_.remarks.leaveOut(read.error(), "skin");
+      return -1;
+    }
+    if (read->joints.empty()) {
       leaveOut(quoted("skins", std::size_t(skin)) + ", of whose joints the scene has not all,");
       return -1;
     }
-    scene_.rig.skins.push_back(std::move(read));
+    scene_.rig.skins.push_back(std::move(*read));
     return known->second = static_cast<int>(scene_.rig.skins.size()) - 1;
   }
 
   /// Puts a node's camera into the scene, under the node's name, else its own.
-  Result<void> addCamera(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
-    if (node.camera == -1) return {};
-    MIRRORBALL_TRY_VOID(checkIndex(node.camera, document_.cameras.size(), key + ".camera", "camera"));
+  void addCamera(const Node& node, int place, const glm::dmat4& world_from_node, const std::string& key) {
+    if (!isThere(node.camera, document_.cameras.size(), key + ".camera", "camera")) return;
     const std::optional<ModelCamera>& camera = document_.cameras[std::size_t(node.camera)];
-    const std::optional<glm::mat4> place = rigidPart(world_from_node);
-    if (!camera || !place) {
-      leaveOut("the camera of " + key + ", which shows nothing,");
-      return {};
-    }
-    if (scene_.cameras.size() == kMaxCameras) return {};
+    const std::optional<glm::mat4> rigid = rigidPart(world_from_node);
+    if (!camera || !rigid) return leaveOut("the camera of " + key + ", which shows nothing,");
+    if (scene_.cameras.size() == kMaxCameras) return;
     camera_sources_.push_back(node.camera);
-    scene_.rig.camera_nodes.push_back(static_cast<int>(scene_.rig.nodes.size()) - 1);
+    scene_.rig.camera_nodes.push_back(place);
     ModelCamera& added = scene_.cameras.emplace_back(*camera);
-    added.world_from_view = *place;
+    added.world_from_view = *rigid;
     if (!node.name.empty()) added.name = node.name;
     added.name = camera_names_.unlike(added.name.empty() ? "camera" : added.name);
-    return {};
   }
 
-  Result<void> addLight(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
-    if (node.light == -1) return {};
+  void addLight(const Node& node, int place, const glm::dmat4& world_from_node, const std::string& key) {
     const std::string light_key = key + ".extensions.KHR_lights_punctual.light";
-    MIRRORBALL_TRY_VOID(checkIndex(node.light, document_.lights.size(), light_key, "light"));
+    if (!isThere(node.light, document_.lights.size(), light_key, "light")) return;
     const std::optional<FileLight>& light = document_.lights[std::size_t(node.light)];
-    const std::optional<glm::mat4> place = rigidPart(world_from_node);
-    if (!light || !place) {
-      leaveOut("the light of " + key + ", which has no kind or no direction,");
-    } else if (scene_.lights.size() == Scene::kMaxLights) {
+    const std::optional<glm::mat4> rigid = rigidPart(world_from_node);
+    if (!light || !rigid) return leaveOut("the light of " + key + ", which has no kind or no direction,");
+    if (scene_.lights.size() == Scene::kMaxLights) {
       has_more_lights_ = true;
-    } else {
-      light_sources_.push_back(node.light);
-      scene_.rig.light_nodes.push_back(static_cast<int>(scene_.rig.nodes.size()) - 1);
-      ModelLight& added = scene_.lights.emplace_back(*light);
-      added.position = glm::vec3((*place)[3]);
-      added.direction = -glm::vec3((*place)[2]);
-      if (added.name.empty()) added.name = node.name;
+      return;
     }
-    return {};
+    light_sources_.push_back(node.light);
+    scene_.rig.light_nodes.push_back(place);
+    ModelLight& added = scene_.lights.emplace_back(*light);
+    added.position = glm::vec3((*rigid)[3]);
+    added.direction = -glm::vec3((*rigid)[2]);
+    if (added.name.empty()) added.name = node.name;
   }
 
-  void warn(const std::string& what) { scene_.warnings.push_back(file_.name + ": " + what); }
-  void leaveOut(const std::string& what) { warn(what + " is left out"); }
+  void leaveOut(const std::string& what) { file_.remarks.tell(what + " is left out"); }
 
   /// Lists the primitives of the meshes that are placed, with their materials, and refuses them if they take too much
   /// memory together.
@@ -246,7 +289,7 @@ class SceneBuilder {
         const Primitive& primitive = primitives[i];
         const std::string key = quoted("meshes", std::size_t(mesh)) + "." + quoted("primitives", i);
         if (!hasTriangles(primitive)) {
-          warn(key + " is made of points or lines; it is left out");
+          file_.remarks.leaveOut(key + " is made of points or lines", "primitive");
           continue;
         }
         has_other_targets = has_other_targets || (wanted.targets && hasOtherTargets(primitive));
@@ -278,10 +321,9 @@ class SceneBuilder {
       const VariantMapping& mapping = primitive.variant_mappings[i];
       const std::string mapping_key = extension + quoted("mappings", i);
       MIRRORBALL_TRY(mapped, materials_.sceneMaterial(mapping.material, mapping_key + ".material"));
-      for (const int variant : mapping.variants) {
-        MIRRORBALL_TRY_VOID(checkIndex(variant, materials.size(), mapping_key + ".variants", "variant"));
-        materials[std::size_t(variant)] = mapped;
-      }
+      for (const int variant : mapping.variants)
+        if (isThere(variant, materials.size(), mapping_key + ".variants", "variant"))
+          materials[std::size_t(variant)] = mapped;
     }
     return materials;
   }
@@ -297,8 +339,17 @@ class SceneBuilder {
       }
     });
     MIRRORBALL_TRY_VOID(counter.result());
+    MeshRepair repair;
+    std::size_t tangents_made = 0;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (!read[i]) return fail(std::move(read[i]));
+      if (!read[i]) {
+        if (!isDamage(read[i].error())) return fail(std::move(read[i]));
+        file_.remarks.leaveOut(read[i].error(), "damaged primitive");
+        continue;
+      }
+      for (const Damage& damage : read[i]->damage) file_.remarks.leaveOut(damage.error, damage.what);
+      repair += read[i]->repair;
+      tangents_made += read[i]->tangents_made;
       Mesh& mesh = read[i]->mesh;
       if (mesh.indices.empty()) continue;
       mesh.material = jobs[i].material;
@@ -306,6 +357,14 @@ class SceneBuilder {
       meshes_[jobs[i].mesh].push_back(
           {static_cast<int>(scene_.meshes.size()), std::move(read[i]->deformation), jobs[i].key});
       scene_.meshes.push_back(std::move(mesh));
+    }
+    if (tangents_made > 0)
+      file_.remarks.tell(counted(tangents_made, "tangent") + (tangents_made == 1 ? " has" : " have") +
+                         " no direction and " + (tangents_made == 1 ? "is" : "are") +
+                         " made from the triangles around");
+    if (const std::string repaired = remarkOn(repair); !repaired.empty()) {
+      if (repair.trianglesLeftOut() > 0) file_.remarks.suspect({ErrorCode::bad_file, repaired});
+      file_.remarks.tell(repaired);
     }
     return {};
   }
@@ -347,7 +406,9 @@ Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesys
                          const ModelLoadOptions& options) {
   ModelFiles named(path, options);
   MIRRORBALL_TRY_VOID(named.budget().take(bytes.size()));
-  MIRRORBALL_TRY(file, gltf::openFile(bytes, path, named));
+  NamedFiles files(path, named);
+  gltf::Remarks remarks;
+  MIRRORBALL_TRY(file, gltf::openFile(bytes, path, files, remarks));
   MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
   tellOfFiles(named, scene);
   return scene;

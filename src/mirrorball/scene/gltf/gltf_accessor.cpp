@@ -177,6 +177,8 @@ void forEachElement(const Layout& layout, Take&& take) {
 Result<std::span<const std::uint8_t>> bufferBytes(const File& file, int buffer, std::size_t offset, std::size_t length,
                                                   const std::string& key) {
   MIRRORBALL_TRY_VOID(checkIndex(buffer, file.buffers.size(), key + ".buffer", "buffer"));
+  if (const auto lost = file.lost_buffers.find(buffer); lost != file.lost_buffers.end())
+    return tl::unexpected<Error>(lost->second);
   const std::span<const std::uint8_t> data = file.buffers[std::size_t(buffer)];
   if (offset > data.size() || length > data.size() - offset)
     return fail(ErrorCode::bad_file, key + " takes " + counted(length, "byte") + " from byte " +
@@ -203,16 +205,17 @@ Result<Numbers> readNumbers(const File& file, int index, const std::string& key)
     for (std::size_t i = 0; i < layout.components; ++i)
       out[i] = loadNumber(bytes + i * layout.component_size, accessor.component_type, accessor.normalized);
   });
-  MIRRORBALL_TRY_VOID(checkFinite(numbers, quoted("accessors", std::size_t(index)) + " (" + key + ")"));
   return numbers;
 }
 
-Result<void> checkFinite(const Numbers& numbers, const std::string& key) {
+Result<Numbers> readFiniteNumbers(const File& file, int index, const std::string& key) {
+  MIRRORBALL_TRY(numbers, readNumbers(file, index, key));
   for (std::size_t i = 0; i < numbers.values.size(); ++i)
     if (!std::isfinite(numbers.values[i]))
-      return fail(ErrorCode::bad_file,
-                  key + " holds NaN or infinity in element " + std::to_string(i / numbers.components));
-  return {};
+      return fail(ErrorCode::bad_file, quoted("accessors", std::size_t(index)) + " (" + key +
+                                           ") holds NaN or infinity in element " +
+                                           std::to_string(i / numbers.components));
+  return numbers;
 }
 
 Result<std::vector<std::uint32_t>> readIntegers(const File& file, int index, const std::string& key) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <set>
@@ -41,33 +43,46 @@ class AnimationReader {
  private:
   using Floats = std::shared_ptr<const std::vector<float>>;
 
-  void warn(const std::string& what) { all_.scene.warnings.push_back(file_.name + ": " + what); }
+  void warn(const std::string& what) { file_.remarks.tell(what); }
 
+  /// Reads an animation, and leaves out the channels that are damaged.
+  ///
+  /// errors   too_large
   Result<Animation> readAnimation(const FileAnimation& source, const std::string& key) {
     Animation animation;
     animation.name = source.name;
     std::set<std::string> moved;
     for (std::size_t i = 0; i < source.channels.size(); ++i) {
-      const FileChannel& channel = source.channels[i];
-      const std::string channel_key = key + "." + quoted("channels", i);
-      MIRRORBALL_TRY_VOID(checkIndex(channel.sampler, source.samplers.size(), channel_key + ".sampler", "sampler"));
-      if (channel.pointer.empty()) continue;
-      MIRRORBALL_TRY(pointed, pointedAt(all_, channel.pointer, channel.key));
-      if (!pointed.is_read) noteUnread(channel.pointer);
-      dropFixedNodes(pointed.targets);
-      if (pointed.targets.empty()) continue;
-      if (!moved.insert(channel.pointer).second) {
-        is_doubled_ = true;
-        continue;
-      }
-      const std::string sampler_key = key + "." + quoted("samplers", std::size_t(channel.sampler));
-      MIRRORBALL_TRY(sampler,
-                     readSampler(source.samplers[std::size_t(channel.sampler)], pointed.components, sampler_key));
-      animation.length_s = std::max(animation.length_s, sampler.times->back());
-      MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(pointed.targets.size() * sizeof(AnimationChannel))));
-      for (const AnimationTarget& target : pointed.targets) animation.channels.push_back({target, sampler});
+      const Result<void> read = addChannel(source, i, key, moved, animation);
+      if (read) continue;
+      if (!isDamage(read.error())) return tl::unexpected<Error>(read.error());
+      file_.remarks.leaveOut(read.error(), "animation's channel");
     }
     return animation;
+  }
+
+  /// moved    what other channels of the animation move
+  Result<void> addChannel(const FileAnimation& source, std::size_t index, const std::string& key,
+                          std::set<std::string>& moved, Animation& animation) {
+    const FileChannel& channel = source.channels[index];
+    const std::string channel_key = key + "." + quoted("channels", index);
+    MIRRORBALL_TRY_VOID(checkIndex(channel.sampler, source.samplers.size(), channel_key + ".sampler", "sampler"));
+    if (channel.pointer.empty()) return {};
+    MIRRORBALL_TRY(pointed, pointedAt(all_, channel.pointer, channel.key));
+    if (!pointed.is_read) noteUnread(channel.pointer);
+    dropFixedNodes(pointed.targets);
+    if (pointed.targets.empty()) return {};
+    if (!moved.insert(channel.pointer).second) {
+      is_doubled_ = true;
+      return {};
+    }
+    const std::string sampler_key = key + "." + quoted("samplers", std::size_t(channel.sampler));
+    MIRRORBALL_TRY(sampler,
+                   readSampler(source.samplers[std::size_t(channel.sampler)], pointed.components, sampler_key));
+    animation.length_s = std::max(animation.length_s, sampler.times->back());
+    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(pointed.targets.size() * sizeof(AnimationChannel))));
+    for (const AnimationTarget& target : pointed.targets) animation.channels.push_back({target, sampler});
+    return {};
   }
 
   /// A node with a matrix has no translation, rotation and scale that could be moved (section 3.5.3).
@@ -96,32 +111,65 @@ class AnimationReader {
                                            join(kInterpolations, ", ", " and "));
     AnimationSampler sampler{
         .times = {}, .values = {}, .interpolation = KeyInterpolation(way - kInterpolations.begin())};
-    MIRRORBALL_TRY(times, readTimes(source.input, key + ".input"));
+    MIRRORBALL_TRY(times, floatsOf(source.input, key + ".input"));
+    MIRRORBALL_TRY(kept, keysOf(source.input, key + ".input"));
     MIRRORBALL_TRY(values, floatsOf(source.output, key + ".output"));
     const bool is_cubic = sampler.interpolation == KeyInterpolation::cubic_spline;
-    const std::size_t wanted = times->size() * components * (is_cubic ? 3 : 1);
+    const std::size_t of_each = components * (is_cubic ? 3 : 1), wanted = times->size() * of_each;
     if (values->size() != wanted)
       return fail(ErrorCode::bad_file, key + ".output has " + counted(values->size(), "number") + ", but " +
                                            counted(times->size(), "time") + " of " + counted(components, "component") +
                                            (is_cubic ? " and their slopes" : "") + " take " + std::to_string(wanted));
+    if (kept) {
+      MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(kept->size() * (of_each + 1) * sizeof(float))));
+      times = chosen(*times, *kept, 1);
+      values = chosen(*values, *kept, of_each);
+    }
     sampler.times = std::move(times);
     sampler.values = std::move(values);
     return sampler;
   }
 
-  /// Times that grow. An accessor is read and checked once, however many samplers name it.
-  Result<Floats> readTimes(int accessor, const std::string& key) {
-    MIRRORBALL_TRY(times, floatsOf(accessor, key));
-    if (!times_.insert(accessor).second) return times;
+  /// Of a list of times, the elements that count: each after the one before it. Programs that join animations write a
+  /// time twice where they meet. None: all of them.
+  using Keys = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+  /// An accessor is checked once, however many samplers name it.
+  Result<Keys> keysOf(int accessor, const std::string& key) {
+    if (const auto known = keys_.find(accessor); known != keys_.end()) return known->second;
     if (file_.document.accessors[std::size_t(accessor)].components != 1)
       return fail(ErrorCode::bad_file, key + " is no list of times");
-    if (times->empty()) return fail(ErrorCode::bad_file, key + " has no times");
-    for (std::size_t i = 0; i < times->size(); ++i)
-      if (!((*times)[i] >= 0.0f) || (i > 0 && !((*times)[i] > (*times)[i - 1])))
-        return fail(ErrorCode::bad_file, key + " has the time " + formatNumber(double((*times)[i])) + " in element " +
-                                             std::to_string(i) +
-                                             (i > 0 ? ", which is not after the one before it" : ", before the start"));
-    return times;
+    const std::vector<float>& times = *floats_[accessor];
+    if (times.empty()) return fail(ErrorCode::bad_file, key + " has no times");
+    std::vector<std::uint32_t> keys;
+    float last = -1.0f;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (times[i] >= 0.0f && times[i] > last) {
+        keys.push_back(static_cast<std::uint32_t>(i));
+        last = times[i];
+        continue;
+      }
+      file_.remarks.leaveOut(
+          {ErrorCode::bad_file, key + " has the time " + formatNumber(double(times[i])) + " in element " +
+                                    std::to_string(i) +
+                                    (i > 0 ? ", which is not after the one before it" : ", before the start")},
+          "key");
+    }
+    if (keys.empty()) return fail(ErrorCode::bad_file, key + " has no times after the start");
+    if (keys.size() == times.size()) return keys_[accessor] = nullptr;
+    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(keys.size() * sizeof(std::uint32_t))));
+    return keys_[accessor] = std::make_shared<const std::vector<std::uint32_t>>(std::move(keys));
+  }
+
+  /// The numbers of some keys.
+  static Floats chosen(const std::vector<float>& numbers, const std::vector<std::uint32_t>& keys, std::size_t of_each) {
+    std::vector<float> kept;
+    kept.reserve(keys.size() * of_each);
+    for (const std::uint32_t key : keys) {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(key * of_each);
+      kept.insert(kept.end(), first, first + static_cast<std::ptrdiff_t>(of_each));
+    }
+    return std::make_shared<const std::vector<float>>(std::move(kept));
   }
 
   Result<Floats> floatsOf(int accessor, const std::string& key) {
@@ -129,7 +177,7 @@ class AnimationReader {
     MIRRORBALL_TRY_VOID(checkIndex(accessor, file_.document.accessors.size(), key, "accessor"));
     const Accessor& declared = file_.document.accessors[std::size_t(accessor)];
     if (declared.components > 4) return fail(ErrorCode::bad_file, key + " has a type that samplers cannot have");
-    MIRRORBALL_TRY(numbers, readNumbers(file_, accessor, key));
+    MIRRORBALL_TRY(numbers, readFiniteNumbers(file_, accessor, key));
     MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(numbers.values.size() * sizeof(float))));
     return floats_[accessor] = std::make_shared<const std::vector<float>>(std::move(numbers.values));
   }
@@ -138,7 +186,7 @@ class AnimationReader {
   const SceneOfFile& all_;
   Names names_;
   std::map<int, Floats> floats_;  // by accessor
-  std::set<int> times_;           // accessors that are lists of times
+  std::map<int, Keys> keys_;      // likewise
   std::vector<std::string> unread_;
   bool is_doubled_ = false;
   bool moves_matrix_ = false;

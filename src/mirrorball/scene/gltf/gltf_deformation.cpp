@@ -47,7 +47,7 @@ void addInfluences(const std::vector<JointSet>& sets, std::size_t source, MeshDe
   for (const JointSet& set : sets) {
     for (std::size_t i = source * 4; i < source * 4 + 4; ++i) {
       const float weight = set.weights.values[i];
-      if (!(weight > 0.0f)) continue;
+      if (!(weight > 0.0f && std::isfinite(weight))) continue;
       deformation.influences.push_back({static_cast<std::uint32_t>(set.joints.values[i]), weight});
       sum += weight;
     }
@@ -80,7 +80,7 @@ Result<Numbers> readDifferences(const File& file, const std::map<std::string, in
   const auto found = target.find(name);
   if (found == target.end()) return Numbers{};
   const std::string key = target_key + "." + name;
-  MIRRORBALL_TRY(numbers, readNumbers(file, found->second, key));
+  MIRRORBALL_TRY(numbers, readFiniteNumbers(file, found->second, key));
   if (numbers.components != 3)
     return fail(ErrorCode::bad_file, key + " has " + counted(numbers.components, "component"));
   if (numbers.count() != vertices)
@@ -136,11 +136,17 @@ std::size_t deformationSize(const Primitive& primitive, WantedDeformation wanted
 
 Result<std::shared_ptr<const MeshDeformation>> readDeformation(const File& file, const Primitive& primitive,
                                                                WantedDeformation wanted, const FileVertices& vertices,
-                                                               const ReadAttribute& attribute, const std::string& key) {
+                                                               const ReadAttribute& attribute, const std::string& key,
+                                                               std::vector<Damage>& damage) {
   auto deformation = std::make_shared<MeshDeformation>();
-  if (wanted.skin) MIRRORBALL_TRY_VOID(readInfluences(primitive, vertices.sources, attribute, key, *deformation));
-  if (wanted.targets)
-    MIRRORBALL_TRY_VOID(readTargets(file, primitive, vertices.sources, vertices.count, key, *deformation));
+  if (wanted.skin)
+    MIRRORBALL_TRY_VOID(notedIn(damage, "skin of the primitive",
+                                readInfluences(primitive, vertices.sources, attribute, key, *deformation)));
+  if (wanted.targets) {
+    const Result<void> read = readTargets(file, primitive, vertices.sources, vertices.count, key, *deformation);
+    if (!read) deformation->targets.clear();
+    MIRRORBALL_TRY_VOID(notedIn(damage, "morphing of the primitive", read));
+  }
   if (!deformation->hasSkin() && deformation->targets.empty()) return std::shared_ptr<const MeshDeformation>();
   deformation->is_flat = vertices.are_flat;
   deformation->vertices.reserve(vertices.mesh.vertices.size());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/animation/deformation.h"
@@ -38,12 +39,15 @@ std::size_t jointSets(const Primitive& primitive);
 /// The memory that the deformation of so many vertices may take, by what a primitive says [bytes].
 std::size_t deformationSize(const Primitive& primitive, WantedDeformation wanted, std::size_t vertices);
 
-/// Reads what bends a primitive.
+/// Reads what bends a primitive. Of what is damaged (counts and types that do not fit, joints that are no indices, NaN)
+/// nothing bends it.
 ///
+/// damage   gets that
 /// returns  none: nothing that is asked for bends it
-/// errors   bad_file (counts and types that do not fit, joints that are no indices, NaN); too_large
+/// errors   too_large
 Result<std::shared_ptr<const MeshDeformation>> readDeformation(const File& file, const Primitive& primitive,
                                                                WantedDeformation wanted, const FileVertices& vertices,
-                                                               const ReadAttribute& attribute, const std::string& key);
+                                                               const ReadAttribute& attribute, const std::string& key,
+                                                               std::vector<Damage>& damage);
 
 }  // namespace mirrorball::gltf

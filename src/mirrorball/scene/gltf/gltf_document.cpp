@@ -1,6 +1,7 @@
 #include "mirrorball/scene/gltf/gltf_document.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "mirrorball/scene/gltf/gltf_document_animation.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_extensions.h"
+#include "mirrorball/scene/gltf/gltf_json_text.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
 
 // Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
@@ -93,11 +95,7 @@ Buffer parseBuffer(const JsonReader& json) {
   return {.uri = parseUri(json["uri"]), .byte_length = json["byteLength"].required().size(0)};
 }
 
-Image parseImage(const JsonReader& json) {
-  Image image{json["bufferView"].index(), parseUri(json["uri"])};
-  if (image.buffer_view < 0 && !image.uri) json.refuse("has neither a bufferView nor a uri");
-  return image;
-}
+Image parseImage(const JsonReader& json) { return {json["bufferView"].index(), parseUri(json["uri"])}; }
 
 Sampler parseSampler(const JsonReader& json) {
   constexpr int kNearest = 9728;
@@ -110,11 +108,15 @@ Sampler parseSampler(const JsonReader& json) {
   return {wrap(json["wrapS"]), wrap(json["wrapT"]), json["magFilter"].index() == kNearest};
 }
 
-/// EXT_texture_webp names the picture itself, and its source beside the extension one for readers that
-/// do not know WebP.
+/// Some extensions name the picture itself, and its source beside the extension one for readers that do not know its
+/// format. The last are of formats that are not read: they count where there is no other.
 Texture parseTexture(const JsonReader& json) {
-  const int webp = json["extensions"]["EXT_texture_webp"]["source"].index();
-  return {webp >= 0 ? webp : json["source"].index(), json["sampler"].index()};
+  const auto named = [&](const char* extension) { return json["extensions"][extension]["source"].index(); };
+  Texture texture{.image = -1, .sampler = json["sampler"].index()};
+  for (const int image : {named("EXT_texture_webp"), named("EXT_texture_avif"), json["source"].index(),
+                          named("KHR_texture_basisu"), named("MSFT_texture_dds")})
+    if (texture.image < 0) texture.image = image;
+  return texture;
 }
 
 Primitive parsePrimitive(const JsonReader& json) {
@@ -147,36 +149,41 @@ FileMesh parseMesh(const JsonReader& json) {
   return mesh;
 }
 
-/// A node's matrix, or translation · rotation · scale.
-NodePlace parsePlace(const JsonReader& json) {
-  NodePlace place;
+/// Reads a node's matrix, or translation · rotation · scale. Where programs have NaN they write null, since JSON has no
+/// word for it.
+void readPlace(const JsonReader& json, Node& node) {
+  const auto numbersOf = [&](const char* name, std::vector<double> otherwise) {
+    const JsonReader array = json[name];
+    for (const JsonReader& number : array.elements())
+      if (number.isNull()) return node.is_somewhere = false, otherwise;
+    return array.numbers(otherwise);
+  };
   if (json["matrix"].exists()) {
-    const std::vector<double> numbers = json["matrix"].numbers(std::vector<double>(16, 0.0));
-    for (int i = 0; i < 16; ++i) place.matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
-    return place;
+    const std::vector<double> numbers = numbersOf("matrix", std::vector<double>(16, 0.0));
+    for (int i = 0; i < 16; ++i) node.place.matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
+    return;
   }
-  const std::vector<double> translation = json["translation"].numbers({0, 0, 0});
-  const std::vector<double> rotation = json["rotation"].numbers({0, 0, 0, 1});
-  const std::vector<double> scale = json["scale"].numbers({1, 1, 1});
+  const std::vector<double> translation = numbersOf("translation", {0, 0, 0});
+  const std::vector<double> rotation = numbersOf("rotation", {0, 0, 0, 1});
+  const std::vector<double> scale = numbersOf("scale", {1, 1, 1});
   const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
-  if (glm::length(quaternion) > 0.0)
-    place.rotation = glm::normalize(quaternion);
-  else
-    json["rotation"].refuse("has no length");
-  place.translation = {translation[0], translation[1], translation[2]};
-  place.scale = {scale[0], scale[1], scale[2]};
-  return place;
+  node.has_rotation = glm::length(quaternion) > 0.0;
+  if (node.has_rotation) node.place.rotation = glm::normalize(quaternion);
+  node.place.translation = {translation[0], translation[1], translation[2]};
+  node.place.scale = {scale[0], scale[1], scale[2]};
 }
 
 Node parseNode(const JsonReader& json) {
-  return {.place = parsePlace(json),
-          .mesh = json["mesh"].index(),
-          .children = indicesOf(json["children"]),
-          .name = printable(json["name"].text("")),
-          .camera = json["camera"].index(),
-          .light = json["extensions"]["KHR_lights_punctual"]["light"].index(),
-          .skin = json["skin"].index(),
-          .weights = floatsOf(json["weights"])};
+  Node node;
+  readPlace(json, node);
+  node.mesh = json["mesh"].index();
+  node.children = indicesOf(json["children"]);
+  node.name = printable(json["name"].text(""));
+  node.camera = json["camera"].index();
+  node.light = json["extensions"]["KHR_lights_punctual"]["light"].index();
+  node.skin = json["skin"].index();
+  node.weights = floatsOf(json["weights"]);
+  return node;
 }
 
 FileSkin parseSkin(const JsonReader& json) {
@@ -192,7 +199,9 @@ class PartReader {
  public:
   /// tree     bytes of the parsed JSON. What the parts have of lists and texts of their own takes no more than that,
   ///          since each element and member of it is larger than what becomes of it
-  explicit PartReader(std::uint64_t tree) : tree_(tree), document_(tree) {}
+  /// problem  of the reader whose lists are read
+  PartReader(std::uint64_t tree, JsonProblem& problem, Remarks& remarks)
+      : tree_(tree), document_(tree), problem_(problem), remarks_(remarks) {}
 
   template <typename Part>
   void read(const JsonReader& array, Part (*parse)(const JsonReader&), std::vector<Part>& parts) {
@@ -201,7 +210,12 @@ class PartReader {
     if (memory_) memory_ = checkMemory(tree_ + document_);
     if (!memory_) return;
     parts.reserve(elements.size());
-    for (const JsonReader& element : elements) parts.push_back(parse(element));
+    for (const JsonReader& element : elements) {
+      const JsonProblem of_all = std::exchange(problem_, {});
+      parts.push_back(parse(element));
+      if (problem_.any()) remarks_.leaveOut({ErrorCode::bad_file, problem_.message}, "value");
+      problem_ = of_all;
+    }
   }
 
   /// Bytes of all that was read.
@@ -213,39 +227,71 @@ class PartReader {
  private:
   std::uint64_t tree_;
   std::uint64_t document_;
+  JsonProblem& problem_;
+  Remarks& remarks_;
   Result<void> memory_;
 };
 
-Result<void> checkVersion(const JsonReader& root) {
-  const std::string version = root["asset"].required()["version"].required().text("");
-  if (!version.empty() && (!version.starts_with("2.") || root["asset"]["minVersion"].text("2.0") > "2.0"))
-    return fail(ErrorCode::unsupported, "asset.version is '" + excerpt(version) + "'; only glTF 2.0 is read");
-  return {};
+/// Whether the file is of a version that is read; one that has meshes and says none is taken for it.
+Result<void> checkVersion(const JsonReader& root, Remarks& remarks) {
+  const JsonReader version = root["asset"]["version"];
+  if (!version.exists() && root["meshes"].isArray()) {
+    remarks.tell("names no version of glTF; it is read as glTF 2.0");
+    return {};
+  }
+  root["asset"].required();
+  // As a number it is of programs whose words have no types.
+  const std::string name = version.isNumber() ? formatNumber(version.number(0.0)) : version.required().text("");
+  const bool is_second = name == "2" || name.starts_with("2.");
+  if (name.empty() || (is_second && root["asset"]["minVersion"].text("2.0") <= "2.0")) return {};
+  return fail(ErrorCode::unsupported, "asset.version is '" + excerpt(name) + "'; only glTF 2.0 is read" +
+                                          (name.starts_with("1") ? ", which gltf-pipeline makes of glTF 1.0" : ""));
+}
+
+/// The two lowest sets of texture coordinates that a file's materials use.
+TexCoordSets texCoordSets(std::span<const FileMaterial> materials) {
+  std::set<int> used;
+  for (const FileMaterial& material : materials)
+    for (const MaterialMap& map : materialMaps())
+      if (const TextureSlot& slot = material.material.*map.slot; slot.texture >= 0) used.insert(slot.uv_set);
+  for (const int usual : {0, 1})
+    if (used.size() < 2) used.insert(usual);
+  return {*used.begin(), *std::next(used.begin())};
+}
+
+/// Parses a text as JSON, and as what is JSON but for the words NaN and Infinity, which Python writes as they are and
+/// which mean null here.
+Result<nlohmann::json> parseJson(std::string_view text, Remarks& remarks) {
+  try {
+    return nlohmann::json::parse(text.begin(), text.end());
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::optional<std::string> plain = withoutNan(text);
+    auto parsed = plain ? nlohmann::json::parse(*plain, nullptr, /*allow_exceptions=*/false)
+                        : nlohmann::json(nlohmann::json::value_t::discarded);
+    if (parsed.is_discarded())
+      return fail(ErrorCode::bad_file,
+                  "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
+    remarks.tell("has NaN or Infinity in its JSON, which has no such words; they are read as no value");
+    return parsed;
+  } catch (const nlohmann::json::exception&) {
+    return fail(ErrorCode::bad_file, "its JSON holds a number out of range");
+  }
 }
 
 }  // namespace
 
-Result<Document> parseDocument(std::string_view text, MemoryBudget& budget) {
+Result<Document> parseDocument(std::string_view text, MemoryBudget& budget, Remarks& remarks) {
   MemoryShare share(budget);
   const JsonMemory needed = jsonMemory(text);
   MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing));
-  nlohmann::json parsed;
-  try {
-    parsed = nlohmann::json::parse(text.begin(), text.end());
-  } catch (const nlohmann::json::parse_error& error) {
-    return fail(ErrorCode::bad_file,
-                "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
-  } catch (const nlohmann::json::exception&) {
-    return fail(ErrorCode::bad_file, "its JSON holds a number out of range");
-  }
+  MIRRORBALL_TRY(parsed, parseJson(text, remarks));
   JsonProblem problem;
   const JsonReader root(&parsed, "", problem);
-  MIRRORBALL_TRY_VOID(checkVersion(root));
-  MIRRORBALL_TRY(unread, unreadExtensions(root));
+  MIRRORBALL_TRY_VOID(checkVersion(root, remarks));
 
-  PartReader parts(needed.tree);
+  PartReader parts(needed.tree, problem, remarks);
   Document document;
-  document.unread_extensions = std::move(unread);
+  document.unread_extensions = unreadExtensions(parsed, remarks);
   parts.read(root["accessors"], parseAccessor, document.accessors);
   parts.read(root["bufferViews"], parseBufferView, document.buffer_views);
   parts.read(root["buffers"], parseBuffer, document.buffers);
@@ -254,6 +300,7 @@ Result<Document> parseDocument(std::string_view text, MemoryBudget& budget) {
   parts.read(root["samplers"], parseSampler, document.samplers);
   parts.read(root["textures"], parseTexture, document.textures);
   parts.read(root["materials"], parseMaterial, document.materials);
+  document.tex_coord_sets = texCoordSets(document.materials);
   parts.read(root["meshes"], parseMesh, document.meshes);
   parts.read(root["cameras"], parseCamera, document.cameras);
   parts.read(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "mirrorball/scene/animation/rig.h"
 #include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/scene.h"
 
@@ -71,7 +73,7 @@ struct Buffer {
 };
 
 struct Image {
-  int buffer_view = -1;
+  int buffer_view = -1;  ///< where it has neither this nor a uri, there is no picture
   std::optional<std::string> uri;
 };
 
@@ -111,6 +113,8 @@ struct FileMesh {
 
 struct Node {
   NodePlace place;
+  bool is_somewhere = true;  ///< else its place holds NaN
+  bool has_rotation = true;  ///< else its quaternion is 0
   int mesh = -1;
   std::vector<int> children;
   std::string name;
@@ -155,6 +159,10 @@ struct FileMaterial {
   bool is_sheet = true;  ///< it is one without a thickness, where it transmits
 };
 
+/// The sets of texture coordinates of a file that become those of our vertices: TEXCOORD_0 and TEXCOORD_1, unless its
+/// materials use others.
+using TexCoordSets = std::array<int, 2>;
+
 struct Document {
   std::vector<Accessor> accessors;
   std::vector<BufferView> buffer_views;
@@ -163,6 +171,7 @@ struct Document {
   std::vector<Sampler> samplers;
   std::vector<Texture> textures;
   std::vector<FileMaterial> materials;
+  TexCoordSets tex_coord_sets{0, 1};
   std::vector<FileMesh> meshes;
   std::vector<std::optional<ModelCamera>> cameras;  ///< parseCamera()
   std::vector<std::optional<FileLight>> lights;     ///< parseLight()
@@ -175,11 +184,11 @@ struct Document {
   std::vector<std::string> unread_extensions;  ///< unreadExtensions()
 };
 
-/// Reads a file's JSON.
+/// Reads a file's JSON. A value of a wrong type counts as absent.
 ///
 /// budget   gets what the document takes, and while it is read the parsed JSON too: many times the text's bytes
-/// errors   bad_file (the byte or key is named); unsupported (the version, or an extension that the file requires);
-///          too_large
-Result<Document> parseDocument(std::string_view json, MemoryBudget& budget);
+/// remarks  is told of wrong values, and of extensions that are required and not read
+/// errors   bad_file (no JSON, or no glTF; the byte or key is named); unsupported (the version); too_large
+Result<Document> parseDocument(std::string_view json, MemoryBudget& budget, Remarks& remarks);
 
 }  // namespace mirrorball::gltf

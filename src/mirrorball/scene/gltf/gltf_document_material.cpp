@@ -18,7 +18,7 @@ TextureSlot parseSlot(const JsonReader& json) {
   TextureSlot slot;
   if (!json.exists()) return slot;
   slot.texture = json["index"].required().index();
-  slot.uv_set = static_cast<int>(json["texCoord"].size(0));
+  slot.uv_set = std::max(json["texCoord"].index(), 0);
   if (const JsonReader transform = json["extensions"]["KHR_texture_transform"]; transform.exists()) {
     const std::vector<double> offset = transform["offset"].numbers({0, 0});
     const std::vector<double> scale = transform["scale"].numbers({1, 1});
@@ -27,7 +27,6 @@ TextureSlot parseSlot(const JsonReader& json) {
     slot.rotation_rad = static_cast<float>(transform["rotation"].number(0));
     if (transform["texCoord"].exists()) slot.uv_set = transform["texCoord"].index();  // overrides the one outside
   }
-  if (slot.uv_set > 1) json["texCoord"].refuse("is above 1; only the sets 0 and 1 are read");
   return slot;
 }
 

@@ -13,8 +13,8 @@ Material defaultMaterial();
 /// programs should show it that do not know the extension.
 Material unlitOf(const Material& material);
 
-/// A material of a file, its numbers cut to their ranges; its slots hold indices into the file's textures, and are not
-/// checked.
+/// A material of a file, its numbers cut to their ranges; its slots hold indices into the file's textures and its sets
+/// of texture coordinates, which are not checked.
 FileMaterial parseMaterial(const JsonReader& json);
 
 }  // namespace mirrorball::gltf

@@ -69,7 +69,6 @@ Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, con
     if (attribute == nullptr)
       return fail(ErrorCode::bad_file, attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
     MIRRORBALL_TRY(numbers, dracoNumbers(mesh, *attribute, attribute_key));
-    MIRRORBALL_TRY_VOID(checkFinite(numbers, attribute_key));
     converted.attributes[name] = std::move(numbers);
   }
   return converted;

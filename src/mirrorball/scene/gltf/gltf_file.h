@@ -6,12 +6,13 @@
 #include <map>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
+#include "mirrorball/scene/mesh_file/named_file.h"
 #include "mirrorball/scene/model_files.h"
 
 namespace mirrorball::gltf {
@@ -20,33 +21,46 @@ namespace mirrorball::gltf {
 /// checks its range here.
 struct File {
   std::string name;   ///< for warnings
-  ModelFiles& named;  ///< the files that it names
+  NamedFiles& files;  ///< those that it names
+  ModelFiles& named;  ///< the same: their memory, and progress
+  Remarks& remarks;   ///< what is odd about it; one thread at a time
   Document document;
-  std::vector<std::span<const std::uint8_t>> buffers;
-  std::vector<Bytes> storage;  ///< of the buffers that lie in the JSON
+  std::vector<std::span<const std::uint8_t>> buffers;  ///< as far as they are there
+  std::map<int, Error> lost_buffers;                   ///< why those are empty that cannot be read
+  std::vector<Bytes> storage;                          ///< of the buffers that lie in the JSON
 };
 
-/// Reads the container (.glb or .gltf, recognised by its first bytes), the JSON, and the buffers.
+/// Reads the container, the JSON, and the buffers. A buffer that cannot be read is an error of whoever asks for it.
 ///
 /// bytes    must live as long as the result, which points into them
-/// named    so must this
-/// errors   bad_file; unsupported; io; too_large
-Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, ModelFiles& named);
+/// files    so must this
+/// remarks  and this
+/// errors   bad_file; unsupported; too_large
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, NamedFiles& files,
+                      Remarks& remarks);
 
-/// Whether a uri has the bytes itself.
-bool isData(std::string_view uri);
+/// Whether an error is of a part of the file, without which the rest may be shown, and not of what the machine has or
+/// the user wants.
+bool isDamage(const Error& error);
 
-/// The bytes of such a uri, in base64.
+/// What is left out of a part of the file, to be told after work of several threads.
+struct Damage {
+  Error error;
+  const char* what;  ///< Remarks::leaveOut
+};
+
+/// Notes damage, and lets other failures pass.
+Result<void> notedIn(std::vector<Damage>& damage, const char* what, Result<void> result);
+
+/// Has a buffer view lead to an error, which whoever asks for its bytes gets.
+void loseView(File& file, BufferView& view, Error damage);
+
+/// The bytes of the file that a uri names which is no data: percent-encoded, as it should be, or as it is written.
 ///
 /// key      what holds the uri, for messages
-/// errors   bad_file
-Result<Bytes> decodeData(const std::string& uri, const std::string& key);
-
-/// The file that another uri names.
-///
-/// key      what holds the uri, for messages
-/// errors   as ModelFiles::find's
-Result<std::filesystem::path> findFile(const File& file, const std::string& uri, const std::string& key);
+/// returns  the same place for names of one file
+/// errors   as NamedFiles::read's
+Result<std::span<const std::uint8_t>> readFileOf(const File& file, const std::string& uri, const std::string& key);
 
 /// An attribute's numbers: `components` to an element.
 struct Numbers {
@@ -55,14 +69,17 @@ struct Numbers {
   std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
 };
 
-/// Reads an accessor as floats: normalised integers become [0, 1] or [−1, 1], sparse values are put in.
+/// Reads an accessor as floats, NaN and infinity among them: normalised integers become [0, 1] or [−1, 1], sparse values
+/// are put in.
 ///
 /// key      what refers to the accessor, for messages
-/// errors   bad_file (out of range; a value that is not finite); too_large
+/// errors   bad_file (out of range); too_large
 Result<Numbers> readNumbers(const File& file, int accessor, const std::string& key);
 
-/// Refuses numbers among which there is NaN or infinity.
-Result<void> checkFinite(const Numbers& numbers, const std::string& key);
+/// The same for what is useless if one of its numbers is none.
+///
+/// errors   as well bad_file: a value that is not finite
+Result<Numbers> readFiniteNumbers(const File& file, int accessor, const std::string& key);
 
 /// Reads an accessor of unsigned integers, such as vertex indices.
 Result<std::vector<std::uint32_t>> readIntegers(const File& file, int accessor, const std::string& key);

@@ -1,11 +1,15 @@
 #include "mirrorball/scene/gltf/gltf_material.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "mirrorball/base/content_hash.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
+#include "mirrorball/scene/gltf/gltf_uri.h"
+#include "mirrorball/scene/material/lost_textures.h"
 
 namespace mirrorball::gltf {
 
@@ -13,13 +17,16 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
   Material material = defaultMaterial();
   if (index >= 0) {
-    MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.materials.size(), key, "material"));
+    if (const auto exists = checkIndex(index, file_.document.materials.size(), key, "material"); !exists) {
+      file_.remarks.leaveOut(exists.error(), "material");
+      return sceneMaterial(-1, key);
+    }
     const FileMaterial& source = file_.document.materials[std::size_t(index)];
     material = source.material;
     const std::string own = quoted("materials", std::size_t(index)) + ".";
     for (const MaterialMap& map : materialMaps()) {
       const std::optional<float> glossiness = map.slot == &Material::roughness_map ? source.glossiness : std::nullopt;
-      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map, glossiness, own + std::string(map.gltf)));
+      bindTexture(material.*map.slot, map, glossiness, own + std::string(map.gltf));
     }
   }
   MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(sizeof(Material))));
@@ -27,32 +34,46 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;
 }
 
-/// Turns the slot's index into glTF's textures into one into the scene's.
-Result<void> Materials::bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness,
-                                    const std::string& key) {
-  if (slot.texture == -1) return {};
-  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, map, glossiness, key + ".index"));
-  slot.texture = texture;
-  return {};
+/// Turns the slot's index into glTF's textures into one into the scene's, and its set of texture coordinates into one
+/// of our vertices'.
+void Materials::bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness,
+                            const std::string& key) {
+  if (slot.texture == -1) return;
+  const TexCoordSets& sets = file_.document.tex_coord_sets;
+  const auto set = std::find(sets.begin(), sets.end(), slot.uv_set);
+  if (set == sets.end()) {
+    file_.remarks.leaveOut({ErrorCode::unsupported, key + ".texCoord is " + std::to_string(slot.uv_set) +
+                                                        ", and only the sets " + std::to_string(sets[0]) + " and " +
+                                                        std::to_string(sets[1]) + " of the model are read"},
+                           "texture on other coordinates");
+    slot = {};
+    return;
+  }
+  slot.texture = sceneTexture(slot.texture, map, glossiness, key + ".index");
+  slot.uv_set = static_cast<int>(set - sets.begin());
 }
 
-Result<int> Materials::sceneTexture(int index, const MaterialMap& map, std::optional<float> glossiness,
-                                    const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "texture"));
+/// The index in the scene of a texture of the file; −1: it has no picture, which is told of.
+int Materials::sceneTexture(int index, const MaterialMap& map, std::optional<float> glossiness,
+                            const std::string& key) {
+  const auto isThere = [&](int which, std::size_t count, const std::string& name, const char* thing) {
+    const Result<void> exists = checkIndex(which, count, name, thing);
+    if (!exists) file_.remarks.leaveOut(exists.error(), thing);
+    return exists.has_value();
+  };
+  if (!isThere(index, file_.document.textures.size(), key, "texture")) return -1;
   const Texture& source = file_.document.textures[std::size_t(index)];
   const std::string texture_key = quoted("textures", std::size_t(index));
   if (source.image == -1) {
     if (without_picture_.insert(index).second)
-      scene_.warnings.push_back(file_.name + ": " + texture_key +
-                                " has its picture only in an extension that is not read; it is left out");
+      file_.remarks.leaveOut(texture_key + " has its picture only in an extension that is not read", "texture");
     return -1;
   }
-  MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "image"));
+  if (!isThere(source.image, file_.document.images.size(), texture_key + ".source", "image")) return -1;
   mirrorball::Texture texture;
   texture.srgb = map.srgb;
-  if (source.sampler != -1) {
-    MIRRORBALL_TRY_VOID(
-        checkIndex(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "sampler"));
+  if (source.sampler != -1 &&
+      isThere(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "sampler")) {
     const Sampler& sampler = file_.document.samplers[std::size_t(source.sampler)];
     texture.wrap_s = sampler.wrap_s;
     texture.wrap_t = sampler.wrap_t;
@@ -79,8 +100,9 @@ int Materials::firstOfSameSource(int index) {
   const auto sourceOf = [&](const std::string& uri) {
     ContentHash data;
     if (isData(uri)) return data.addAll(std::span<const char>(uri)), data.digits();
-    const auto path = findFile(file_, uri, {});
-    return path ? path->string() : uri;  // what is not found is told of when it is read
+    const auto bytes = readFileOf(file_, uri, {});
+    // What is not found is told of when it is decoded.
+    return bytes ? "file " + std::to_string(reinterpret_cast<std::uintptr_t>(bytes->data())) : uri;
   };
   const std::string source = image.uri ? sourceOf(*image.uri) : "bufferViews " + std::to_string(image.buffer_view);
   return images_.try_emplace(source, index).first->second;
@@ -89,13 +111,12 @@ int Materials::firstOfSameSource(int index) {
 Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
   const Image& image = file_.document.images[std::size_t(index)];
   const std::string key = quoted("images", std::size_t(index));
+  if (!image.uri && image.buffer_view == -1)
+    return fail(ErrorCode::bad_file, key + " has neither a bufferView nor a uri");
   if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
-  if (isData(*image.uri)) {
-    MIRRORBALL_TRY(bytes, decodeData(*image.uri, key + ".uri"));
-    return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
-  }
-  MIRRORBALL_TRY(path, findFile(file_, *image.uri, key + ".uri"));
-  return file_.named.read(path);
+  if (!isData(*image.uri)) return readFileOf(file_, *image.uri, key + ".uri");
+  MIRRORBALL_TRY(bytes, decodeData(*image.uri, key + ".uri"));
+  return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
 }
 
 namespace {
@@ -131,8 +152,7 @@ Result<void> Materials::setPicture(std::size_t index, const SharedPicture& pictu
     MIRRORBALL_TRY_VOID(file_.named.budget().take(picture.bytes()));
     MIRRORBALL_TRY(changes, setTexels(picture.numbers(), planned_[index].use, texture));
     for (const std::string& change : changes)
-      scene_.warnings.push_back(file_.name + ": " + quoted("images", std::size_t(planned_[index].image)) + " " +
-                                change);
+      file_.remarks.tell(quoted("images", std::size_t(planned_[index].image)) + " " + change);
   }
   if (planned_[index].glossiness) {
     // Shared codes are copied to be changed.
@@ -142,30 +162,59 @@ Result<void> Materials::setPicture(std::size_t index, const SharedPicture& pictu
   return {};
 }
 
-Result<void> Materials::decodeTextures() {
+/// The pictures that are planned, decoded: of those that cannot be, why.
+Result<std::map<int, Result<SharedPicture>>> Materials::decodedImages() {
+  std::map<int, Result<SharedPicture>> images;
   std::map<int, std::size_t> place;  // glTF image → which of `pictures`
   std::vector<EncodedPicture> pictures;
   for (const Planned& planned : planned_) {
+    if (images.contains(planned.image)) continue;
     const auto [known, is_new] = place.emplace(planned.image, pictures.size());
     if (is_new) {
-      MIRRORBALL_TRY(bytes, encoded(planned.image));
-      pictures.push_back({bytes});
+      Result<std::span<const std::uint8_t>> bytes = encoded(planned.image);
+      if (bytes && bytes->empty())
+        bytes = fail(ErrorCode::bad_file, quoted("images", std::size_t(planned.image)) + " is empty");
+      if (!bytes) {
+        place.erase(known);
+        images.emplace(planned.image, fail(std::move(bytes)));
+        continue;
+      }
+      pictures.push_back({*bytes});
     }
     if (planned.srgb) pictures[known->second].shows_colors = true;
   }
-
-  std::vector<Result<Texels>> decoded = decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1));
-  for (const Result<Texels>& picture : decoded)
-    if (!picture && picture.error().code == ErrorCode::interrupted) return tl::unexpected<Error>(picture.error());
-  std::vector<SharedPicture> shared;
-  for (Result<Texels>& picture : decoded) shared.emplace_back(picture ? std::move(*picture) : Texels());
-  for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const std::size_t picture = place[planned_[i].image];
-    const std::string key = quoted("images", std::size_t(planned_[i].image));
-    if (!decoded[picture]) return fail(withName(key, std::move(decoded[picture])));
-    MIRRORBALL_TRY_VOID(withName(key, setPicture(i, shared[picture])));
+  const auto remark = [&](std::size_t picture, const std::string& oddity) {
+    const auto image = std::ranges::find(place, picture, [](const auto& row) { return row.second; });
+    file_.remarks.tell(quoted("images", std::size_t(image->first)) + ": " + oddity);
+  };
+  std::vector<Result<Texels>> decoded =
+      decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1), remark);
+  for (const auto& [image, index] : place) {
+    Result<Texels> texels = withName(quoted("images", std::size_t(image)), std::move(decoded[index]));
+    if (texels)
+      images.emplace(image, SharedPicture(std::move(*texels)));
+    else
+      images.emplace(image, fail(std::move(texels)));
   }
   storage_.clear();
+  for (auto& [image, picture] : images)
+    if (!picture && !isDamage(picture.error())) return fail(std::move(picture));
+  return images;
+}
+
+Result<void> Materials::decodeTextures() {
+  MIRRORBALL_TRY(images, decodedImages());
+  for (const auto& [image, picture] : images)
+    if (!picture) file_.remarks.leaveOut(picture.error(), "picture");
+  std::vector<bool> is_lost;
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const Result<SharedPicture>& picture = images.at(planned_[i].image);
+    is_lost.push_back(!picture);
+    if (!picture) continue;
+    const std::string key = quoted("images", std::size_t(planned_[i].image));
+    MIRRORBALL_TRY_VOID(withName(key, setPicture(i, *picture)));
+  }
+  leaveOutTextures(scene_, is_lost);
   return {};
 }
 

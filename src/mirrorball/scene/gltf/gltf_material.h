@@ -23,10 +23,11 @@ class Materials {
  public:
   Materials(const File& file, Scene& scene) : file_(file), scene_(scene) {}
 
-  /// The index in the scene of the glTF material; −1 means glTF's default material.
+  /// The index in the scene of the glTF material; −1 means glTF's default material, which stands for one that is not
+  /// there too.
   ///
   /// key      what refers to it, for messages
-  /// errors   bad_file (an index is out of range)
+  /// errors   too_large
   Result<int> sceneMaterial(int material, const std::string& key);
 
   /// The index in the scene of a glTF material that was asked for; −1: it was not.
@@ -35,9 +36,10 @@ class Materials {
     return found == materials_.end() ? -1 : found->second;
   }
 
-  /// Reads and decodes the pictures of all materials asked for, and gives them to the scene's textures.
+  /// Reads and decodes the pictures of all materials asked for, and gives them to the scene's textures. Materials go
+  /// without those that are missing or cannot be read, of which the file's remarks tell.
   ///
-  /// errors   bad_file (missing or damaged); too_large
+  /// errors   too_large; interrupted
   Result<void> decodeTextures();
 
  private:
@@ -50,14 +52,13 @@ class Materials {
     std::optional<float> glossiness;
   };
 
-  Result<void> bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness,
-                           const std::string& key);
-  Result<int> sceneTexture(int texture, const MaterialMap& map, std::optional<float> glossiness,
-                           const std::string& key);
+  void bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness, const std::string& key);
+  int sceneTexture(int texture, const MaterialMap& map, std::optional<float> glossiness, const std::string& key);
   /// The first image that shows the same picture, as far as that is asked for.
   int sameImage(int image);
   int firstOfSameSource(int image);
   Result<std::span<const std::uint8_t>> encoded(int image);
+  Result<std::map<int, Result<SharedPicture>>> decodedImages();
   Result<void> setPicture(std::size_t index, const SharedPicture& picture);
 
   const File& file_;

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/gltf/gltf_mesh.h"
 
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -90,31 +91,29 @@ void addTangents(Mesh& mesh, int uv_set, std::vector<std::uint32_t>& sources) {
   for (std::size_t i = 0; i < corners.size(); ++i) sources[mesh.indices[i]] = sources[corners[i]];
 }
 
-/// Sets unit normals from the file's; returns whether all of them have a direction.
-bool setNormals(Mesh& mesh, const Numbers& normals) {
-  bool all = true;
-  forEachVertex(mesh, normals, [&](Vertex& vertex, const float* n) {
-    const glm::dvec3 normal(n[0], n[1], n[2]);
-    const double length = glm::length(normal);
-    if (length > 0.0)
-      vertex.normal = glm::vec3(normal / length);
-    else
-      all = false;
-  });
-  return all;
+/// The direction of a file's normal or tangent; 0 where it has none.
+glm::vec3 directionOf(const float* numbers) {
+  const glm::dvec3 direction(numbers[0], numbers[1], numbers[2]);
+  const double length = glm::length(direction);
+  return length > 0.0 && std::isfinite(length) ? glm::vec3(direction / length) : glm::vec3(0.0f);
 }
 
-bool setTangents(Mesh& mesh, const Numbers& tangents) {
-  bool all = true;
-  forEachVertex(mesh, tangents, [&](Vertex& vertex, const float* t) {
-    const glm::dvec3 tangent(t[0], t[1], t[2]);
-    const double length = glm::length(tangent);
-    if (length > 0.0)
-      vertex.tangent = glm::vec4(glm::vec3(tangent / length), t[3] < 0.0f ? -1.0f : 1.0f);
-    else
-      all = false;
-  });
-  return all;
+/// Sets tangents from the file's, and has those computed that have no direction.
+///
+/// sources  of each vertex, the one of the file that it was
+/// returns  how many had none
+std::size_t setTangents(Mesh& mesh, const Numbers& tangents, int uv_set, std::vector<std::uint32_t>& sources) {
+  const auto tangentOf = [&](std::size_t source) {
+    const float* t = tangents.values.data() + source * tangents.components;
+    return glm::vec4(directionOf(t), t[3] < 0.0f ? -1.0f : 1.0f);
+  };
+  std::size_t lacking = 0;
+  for (std::size_t i = 0; i < tangents.count(); ++i)
+    if (glm::vec3(tangentOf(i)) == glm::vec3(0.0f)) ++lacking;
+  if (lacking > 0) addTangents(mesh, uv_set, sources);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (const glm::vec4 own = tangentOf(sources[i]); glm::vec3(own) != glm::vec3(0.0f)) mesh.vertices[i].tangent = own;
+  return lacking;
 }
 
 Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive& primitive, std::size_t vertices,
@@ -127,12 +126,74 @@ Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive
     MIRRORBALL_TRY(read, readIntegers(file, primitive.indices, key + ".indices"));
     corners = std::move(read);
   }
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (corners[i] >= vertices)
-      return fail(ErrorCode::bad_file, "accessors[" + std::to_string(primitive.indices) + "] (" + key +
-                                           ".indices) names vertex " + std::to_string(corners[i]) + " in element " +
-                                           std::to_string(i) + ", but POSITION has " + counted(vertices, "element"));
   return triangleCorners(std::move(corners), primitive.mode);
+}
+
+/// Reads the attributes of a primitive, and leaves out those that are damaged.
+class Attributes {
+ public:
+  Attributes(const File& file, const Primitive& primitive, const std::string& key, std::vector<Damage>& damage)
+      : file_(file), primitive_(primitive), key_(key), damage_(damage) {}
+
+  /// Decodes what the primitive keeps compressed. Where that is damaged, or this build cannot, it may be in the
+  /// accessors as well.
+  Result<void> decompress() {
+    if (primitive_.draco_view < 0) return {};
+    Result<DracoMesh> decoded = decodeDraco(file_, primitive_, key_);
+    if (decoded) {
+      draco_ = std::move(*decoded);
+      is_compressed_ = true;
+      return {};
+    }
+    const auto position = primitive_.attributes.find("POSITION");
+    const std::vector<Accessor>& accessors = file_.document.accessors;
+    const bool has_both = position != primitive_.attributes.end() && position->second >= 0 &&
+                          std::size_t(position->second) < accessors.size() &&
+                          accessors[std::size_t(position->second)].buffer_view >= 0;
+    if (!has_both) return fail(std::move(decoded));
+    return notedIn(damage_, "compressed form of the primitive", fail(std::move(decoded)));
+  }
+
+  /// The corners of the triangles of so many vertices.
+  Result<std::vector<std::uint32_t>> corners(std::size_t vertices) {
+    if (is_compressed_) return std::move(draco_.corners);
+    return readCorners(file_, primitive_, vertices, key_);
+  }
+
+  Result<Numbers> read(const std::string& name, std::size_t min_components, std::size_t max_components,
+                       std::optional<std::size_t> vertices) {
+    return readAttribute(file_, primitive_, draco_, name, min_components, max_components, vertices, key_);
+  }
+
+  /// The same of what a mesh can do without.
+  Result<Numbers> readIfSound(const std::string& name, std::size_t min_components, std::size_t max_components,
+                              std::size_t vertices) {
+    Result<Numbers> numbers = read(name, min_components, max_components, vertices);
+    if (numbers) return numbers;
+    MIRRORBALL_TRY_VOID(notedIn(damage_, "attribute", fail(std::move(numbers))));
+    return Numbers{};
+  }
+
+ private:
+  const File& file_;
+  const Primitive& primitive_;
+  const std::string& key_;
+  std::vector<Damage>& damage_;
+  DracoMesh draco_;
+  bool is_compressed_ = false;
+};
+
+/// An accessor without bytes is all zeros, which are no positions: those are in an extension that is not read.
+Result<void> checkPositions(const File& file, const Primitive& primitive, const std::string& key) {
+  const auto position = primitive.attributes.find("POSITION");
+  if (position == primitive.attributes.end()) return {};
+  const auto index = static_cast<std::size_t>(position->second);
+  if (position->second < 0 || index >= file.document.accessors.size()) return {};
+  const Accessor& accessor = file.document.accessors[index];
+  if (accessor.buffer_view >= 0 || accessor.sparse || accessor.count == 0 || primitive.draco_view >= 0) return {};
+  return fail(ErrorCode::unsupported,
+              quoted("accessors", index) + " (" + key + ".attributes.POSITION) has no bytes: " +
+                  "its places are in an extension that this program does not read; export the model without it");
 }
 
 }  // namespace
@@ -143,54 +204,52 @@ bool hasTriangles(const Primitive& primitive) {
 
 Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set,
                                     WantedDeformation wanted, const std::string& key) {
-  DracoMesh draco;
-  if (primitive.draco_view >= 0) {
-    MIRRORBALL_TRY(decoded, decodeDraco(file, primitive, key));
-    draco = std::move(decoded);
-  }
-  const auto attribute = [&](const std::string& name, std::size_t min_components, std::size_t max_components,
-                             std::optional<std::size_t> vertices) {
-    return readAttribute(file, primitive, draco, name, min_components, max_components, vertices, key);
-  };
-  MIRRORBALL_TRY(positions, attribute("POSITION", 3, 3, {}));
+  PrimitiveMesh result;
+  MIRRORBALL_TRY_VOID(checkPositions(file, primitive, key));
+  Attributes attributes(file, primitive, key, result.damage);
+  MIRRORBALL_TRY_VOID(attributes.decompress());
+  MIRRORBALL_TRY(positions, attributes.read("POSITION", 3, 3, {}));
   const std::size_t count = positions.count();
-  MIRRORBALL_TRY(normals, attribute("NORMAL", 3, 3, count));
-  MIRRORBALL_TRY(tangents, attribute("TANGENT", 4, 4, count));
-  MIRRORBALL_TRY(uv0, attribute("TEXCOORD_0", 2, 2, count));
-  MIRRORBALL_TRY(uv1, attribute("TEXCOORD_1", 2, 2, count));
-  MIRRORBALL_TRY(colors, attribute("COLOR_0", 3, 4, count));
-  std::vector<std::uint32_t> corners = std::move(draco.corners);
-  if (primitive.draco_view < 0) {
-    MIRRORBALL_TRY(read, readCorners(file, primitive, count, key));
-    corners = std::move(read);
-  }
+  const auto attribute = [&](const std::string& name, std::size_t min_components, std::size_t max_components) {
+    return attributes.readIfSound(name, min_components, max_components, count);
+  };
+  const TexCoordSets& sets = file.document.tex_coord_sets;
+  MIRRORBALL_TRY(normals, attribute("NORMAL", 3, 3));
+  MIRRORBALL_TRY(tangents, attribute("TANGENT", 4, 4));
+  MIRRORBALL_TRY(uv0, attribute("TEXCOORD_" + std::to_string(sets[0]), 2, 2));
+  MIRRORBALL_TRY(uv1, attribute("TEXCOORD_" + std::to_string(sets[1]), 2, 2));
+  MIRRORBALL_TRY(colors, attribute("COLOR_0", 3, 4));
+  MIRRORBALL_TRY(corners, attributes.corners(count));
 
-  Mesh mesh;
+  Mesh& mesh = result.mesh;
   mesh.vertices.resize(count);
   mesh.indices = std::move(corners);
   forEachVertex(mesh, positions, [](Vertex& vertex, const float* p) { vertex.position = {p[0], p[1], p[2]}; });
+  forEachVertex(mesh, normals, [](Vertex& vertex, const float* n) { vertex.normal = directionOf(n); });
   forEachVertex(mesh, uv0, [](Vertex& vertex, const float* t) { vertex.uv[0] = {t[0], t[1]}; });
   forEachVertex(mesh, uv1, [](Vertex& vertex, const float* t) { vertex.uv[1] = {t[0], t[1]}; });
   forEachVertex(mesh, colors, [&](Vertex& vertex, const float* c) {
     vertex.color = glm::vec4(c[0], c[1], c[2], colors.components == 4 ? c[3] : 1.0f);
   });
+  result.repair = repairMesh(mesh);
 
   const bool has_normals = normals.count() > 0;
   std::vector<std::uint32_t> sources(count);
   std::iota(sources.begin(), sources.end(), 0u);
-  if (!has_normals)
-    sources = makeFlat(mesh);
-  else if (!setNormals(mesh, normals))
-    computeNormals(mesh);
+  if (!has_normals) sources = makeFlat(mesh);
   // Tangents without normals are to be ignored (section 3.7.2.1).
-  if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) addTangents(mesh, tangent_uv_set, sources);
+  if (!has_normals || tangents.count() == 0)
+    addTangents(mesh, tangent_uv_set, sources);
+  else
+    result.tangents_made = setTangents(mesh, tangents, tangent_uv_set, sources);
   MIRRORBALL_TRY(deformation, readDeformation(
                                   file, primitive, wanted, {mesh, sources, count, !has_normals},
                                   [&](const std::string& name, std::size_t min, std::size_t max) {
-                                    return attribute(name, min, max, count);
+                                    return attributes.read(name, min, max, count);
                                   },
-                                  key));
-  return PrimitiveMesh{std::move(mesh), std::move(deformation)};
+                                  key, result.damage));
+  result.deformation = std::move(deformation);
+  return result;
 }
 
 }  // namespace mirrorball::gltf

@@ -78,10 +78,14 @@ Result<void> decodeMeshopt(File& file) {
     BufferView& view = file.document.buffer_views[i];
     if (!view.compression) continue;
     MIRRORBALL_TRY_VOID(file.named.budget().take(view.byte_length));
-    MIRRORBALL_TRY(bytes, decoded(file, view, quoted("bufferViews", i) + ".extensions.EXT_meshopt_compression"));
+    Result<Bytes> bytes = decoded(file, view, quoted("bufferViews", i) + ".extensions.EXT_meshopt_compression");
+    if (!bytes) {
+      loseView(file, view, std::move(bytes).error());
+      continue;
+    }
     view = {
-        .buffer = static_cast<int>(file.buffers.size()), .byte_length = bytes.size(), .byte_stride = view.byte_stride};
-    file.buffers.push_back(file.storage.emplace_back(std::move(bytes)));
+        .buffer = static_cast<int>(file.buffers.size()), .byte_length = bytes->size(), .byte_stride = view.byte_stride};
+    file.buffers.push_back(file.storage.emplace_back(std::move(*bytes)));
   }
   return {};
 }

@@ -6,9 +6,9 @@
 namespace mirrorball::gltf {
 
 /// Decodes every buffer view that EXT_meshopt_compression holds compressed, and has it point to the bytes: a buffer of
-/// its own.
+/// its own. One that is damaged (a wrong size, mode or filter) is an error of whoever asks for it.
 ///
-/// errors   bad_file (a view's key is named: a wrong size, mode or filter, damaged bytes); too_large
+/// errors   too_large
 Result<void> decodeMeshopt(File& file);
 
 }  // namespace mirrorball::gltf

@@ -6,12 +6,12 @@
 namespace mirrorball::gltf {
 
 Result<void> decodeMeshopt(File& file) {
-  const std::vector<BufferView>& views = file.document.buffer_views;
-  const auto compressed =
-      std::find_if(views.begin(), views.end(), [](const BufferView& view) { return view.compression.has_value(); });
-  if (compressed == views.end()) return {};
-  return withName(quoted("bufferViews", std::size_t(compressed - views.begin())),
-                  Result<void>(leftOut("reads no meshes compressed by meshoptimizer", "MIRRORBALL_MESHOPTIMIZER")));
+  for (std::size_t i = 0; i < file.document.buffer_views.size(); ++i)
+    if (BufferView& view = file.document.buffer_views[i]; view.compression)
+      loseView(file, view,
+               withName(quoted("bufferViews", i),
+                        leftOut("reads no meshes compressed by meshoptimizer", "MIRRORBALL_MESHOPTIMIZER").value()));
+  return {};
 }
 
 }  // namespace mirrorball::gltf

@@ -7,11 +7,26 @@
 namespace mirrorball::gltf {
 namespace {
 
-/// The nodes of the default scene; of a file that names none, all that are nobody's child.
-Result<std::vector<ListedNode>> rootNodes(const Document& document) {
+/// The scene that is shown: the default one, else the first; −1: the file has none.
+int sceneToShow(const Document& document, Remarks& remarks) {
+  if (document.scenes.empty()) return -1;
+  if (document.scene == -1) {
+    if (document.scenes.size() > 1)
+      remarks.tell("does not say which of its " + std::to_string(document.scenes.size()) +
+                   " scenes is shown; it is the first");
+    return 0;
+  }
+  const Result<void> exists = checkIndex(document.scene, document.scenes.size(), "scene", "scene");
+  if (exists) return document.scene;
+  remarks.suspect(exists.error());
+  remarks.tell(exists.error().message + "; the first is shown");
+  return 0;
+}
+
+/// The nodes of a scene; of a file without scenes all that are nobody's child.
+std::vector<ListedNode> rootNodes(const Document& document, int scene) {
   std::vector<ListedNode> roots;
-  if (const int scene = document.scene; scene != -1) {
-    MIRRORBALL_TRY_VOID(checkIndex(scene, document.scenes.size(), "scene", "scene"));
+  if (scene != -1) {
     for (const int node : document.scenes[std::size_t(scene)]) roots.push_back({node, -1});
     return roots;
   }
@@ -25,15 +40,16 @@ Result<std::vector<ListedNode>> rootNodes(const Document& document) {
 }
 
 /// What refers to a node, for messages.
-std::string referrer(const Document& document, const std::vector<ListedNode>& listed, ListedNode node) {
+std::string referrer(const std::vector<ListedNode>& listed, ListedNode node, int scene) {
   if (node.parent >= 0) return quoted("nodes", std::size_t(listed[std::size_t(node.parent)].node)) + ".children";
-  return document.scene == -1 ? "nodes" : quoted("scenes", std::size_t(document.scene)) + ".nodes";
+  return quoted("scenes", std::size_t(scene)) + ".nodes";
 }
 
 }  // namespace
 
-Result<std::vector<ListedNode>> nodesOfScene(const Document& document) {
-  MIRRORBALL_TRY(pending, rootNodes(document));
+std::vector<ListedNode> nodesOfScene(const Document& document, Remarks& remarks) {
+  const int scene = sceneToShow(document, remarks);
+  std::vector<ListedNode> pending = rootNodes(document, scene);
   std::vector<ListedNode> listed;
   std::vector<bool> visited(document.nodes.size(), false);
   // A stack of its own, so that a deep tree cannot overflow the program's; the last is the next.
@@ -41,12 +57,17 @@ Result<std::vector<ListedNode>> nodesOfScene(const Document& document) {
   while (!pending.empty()) {
     const ListedNode next = pending.back();
     pending.pop_back();
-    if (next.node < 0 || std::size_t(next.node) >= document.nodes.size())
-      return fail(checkIndex(next.node, document.nodes.size(), referrer(document, listed, next), "node"));
+    if (next.node < 0 || std::size_t(next.node) >= document.nodes.size()) {
+      const auto missing = checkIndex(next.node, document.nodes.size(), referrer(listed, next, scene), "node");
+      remarks.leaveOut(missing.error(), "reference");
+      continue;
+    }
     const auto index = std::size_t(next.node);
-    if (visited[index])
-      return fail(ErrorCode::bad_file,
-                  quoted("nodes", index) + " is reached twice; nodes must form a tree without cycles");
+    if (visited[index]) {
+      remarks.leaveOut({ErrorCode::bad_file, quoted("nodes", index) + " is reached twice, and nodes form a tree"},
+                       "second");
+      continue;
+    }
     visited[index] = true;
     const int place = static_cast<int>(listed.size());
     listed.push_back(next);

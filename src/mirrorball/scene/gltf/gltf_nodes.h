@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
 
 namespace mirrorball::gltf {
 
@@ -16,11 +16,11 @@ struct ListedNode {
   int parent = -1;  ///< in the list, before it; −1: none
 };
 
-/// The nodes of the default scene, or of every node that has no parent where the file names none: parents before their
-/// children, each followed by all below it.
+/// The nodes of the default scene, of the first where the file names none, or of every node that has no parent where it
+/// has no scenes: parents before their children, each followed by all below it.
 ///
-/// errors   bad_file: an index out of range; a cycle
-Result<std::vector<ListedNode>> nodesOfScene(const Document& document);
+/// remarks  is told of scenes and nodes that are not there, and of nodes that are reached twice, which count once
+std::vector<ListedNode> nodesOfScene(const Document& document, Remarks& remarks);
 
 /// Names of which each is another one.
 class Names {

@@ -21,7 +21,7 @@ bool isBent(const Placement& placement, const SceneMesh& mesh) {
 
 class Parts {
  public:
-  Parts(Scene& scene, VertexBudget& budget) : scene_(scene), budget_(budget) {}
+  Parts(Scene& scene, VertexBudget& budget, Remarks& remarks) : scene_(scene), budget_(budget), remarks_(remarks) {}
 
   /// Notes that a part shows a mesh as it is.
   void keep(const SceneMesh& mesh) { taken_.insert(mesh.mesh); }
@@ -42,12 +42,14 @@ class Parts {
     left_ -= mesh.deformation->work();
     part.deformation = mesh.deformation;
     if (skin >= 0 && mesh.deformation->hasSkin()) {
-      part.skin = skin;
       const std::size_t joints = scene_.rig.skins[std::size_t(skin)].joints.size();
-      if (mesh.deformation->joints > joints)
-        return fail(ErrorCode::bad_file, mesh.key + ".attributes.JOINTS_0 names the joint " +
-                                             std::to_string(mesh.deformation->joints - 1) + ", but its skin has " +
-                                             counted(joints, "joint"));
+      if (mesh.deformation->joints <= joints)
+        part.skin = skin;
+      else
+        remarks_.leaveOut({ErrorCode::bad_file, mesh.key + ".attributes.JOINTS_0 names the joint " +
+                                                    std::to_string(mesh.deformation->joints - 1) +
+                                                    ", but its skin has " + counted(joints, "joint")},
+                          "skin");
     }
     if (taken_.insert(mesh.mesh).second) return {};
     Mesh copy = scene_.meshes[std::size_t(mesh.mesh)];
@@ -59,6 +61,7 @@ class Parts {
 
   Scene& scene_;
   VertexBudget& budget_;
+  Remarks& remarks_;
   std::set<int> taken_;  // meshes of the scene that some part shows
   std::size_t left_ = kMostBending;
 };
@@ -73,8 +76,8 @@ Result<void> VertexBudget::take(std::size_t vertices, const std::string& key) {
 }
 
 Result<void> addParts(Scene& scene, const std::vector<Placement>& placements,
-                      const std::map<int, std::vector<SceneMesh>>& meshes, VertexBudget& budget) {
-  Parts parts(scene, budget);
+                      const std::map<int, std::vector<SceneMesh>>& meshes, VertexBudget& budget, Remarks& remarks) {
+  Parts parts(scene, budget, remarks);
   const auto primitivesOf = [&](const Placement& placement) {
     const auto found = meshes.find(placement.mesh);
     return found == meshes.end() ? std::span<const SceneMesh>() : std::span<const SceneMesh>(found->second);

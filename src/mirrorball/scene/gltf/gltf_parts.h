@@ -9,6 +9,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/animation/deformation.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::gltf {
@@ -50,8 +51,9 @@ class VertexBudget {
 /// the one that was read, unless another part shows it as it is.
 ///
 /// meshes   of each mesh of the file its primitives
-/// errors   bad_file (a mesh hangs on joints that its skin has not); too_large
+/// remarks  is told of meshes that hang on joints which their skins have not; those skins are left out
+/// errors   too_large
 Result<void> addParts(Scene& scene, const std::vector<Placement>& placements,
-                      const std::map<int, std::vector<SceneMesh>>& meshes, VertexBudget& budget);
+                      const std::map<int, std::vector<SceneMesh>>& meshes, VertexBudget& budget, Remarks& remarks);
 
 }  // namespace mirrorball::gltf

@@ -20,7 +20,7 @@ Result<Skin> readSkin(const File& file, int index, std::span<const int> place_of
   skin.joint_from_mesh.assign(skin.joints.size(), glm::mat4(1.0f));
   if (source.inverse_bind_matrices == -1) return skin;
   const std::string matrices_key = key + ".inverseBindMatrices";
-  MIRRORBALL_TRY(matrices, readNumbers(file, source.inverse_bind_matrices, matrices_key));
+  MIRRORBALL_TRY(matrices, readFiniteNumbers(file, source.inverse_bind_matrices, matrices_key));
   if (matrices.components != 16)
     return fail(ErrorCode::bad_file, matrices_key + " has " + counted(matrices.components, "component"));
   if (matrices.count() < skin.joints.size())

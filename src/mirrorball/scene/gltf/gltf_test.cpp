@@ -93,7 +93,8 @@ TEST(Gltf, LeavesOutPointsAndLinesWithAWarning) {
   maker.accessor(kTriangle, "VEC3");
   const Scene scene = decoded(maker.gltf(primitive() + "," + primitive("", ",\"mode\":0")));
   EXPECT_EQ(scene.meshes.size(), 1u);
-  EXPECT_THAT(scene.warnings, Contains(HasSubstr("meshes[0].primitives[1] is made of points or lines")));
+  EXPECT_THAT(scene.warnings,
+              Contains(HasSubstr("meshes[0].primitives[1] is made of points or lines; the primitive is left out")));
 }
 
 TEST(Gltf, NamesEachExtensionThatItDoesNotReadOnce) {

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::testing {
@@ -152,6 +154,17 @@ class AnimationMaker {
   std::string samplers_;
   std::string channels_;
 };
+
+/// A file is shown all the same, and what is odd about it is told in lines of which one says `part`.
+inline void expectTold(const Result<Scene>& scene, const std::string& part) {
+  ASSERT_TRUE(scene) << part << ": " << scene.error().message;
+  EXPECT_FALSE(scene->instances.empty()) << part;
+  EXPECT_THAT(scene->warnings, ::testing::Contains(::testing::HasSubstr(part)));
+  for (const std::string& warning : scene->warnings) {
+    EXPECT_EQ(warning, printable(warning));
+    EXPECT_LT(warning.size(), 500u);
+  }
+}
 
 inline void expectSafe(const Scene& scene) {
   for (const Instance& instance : scene.instances) ASSERT_LT(std::size_t(instance.mesh), scene.meshes.size());

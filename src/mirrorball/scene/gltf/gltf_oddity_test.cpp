@@ -1,0 +1,320 @@
+// glTF files as other programs write them: docs/files.md.
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::expectTold;
+using testing::GltfMaker;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const std::vector<float> kPlaces = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::string kPlain = R"({"attributes":{"POSITION":0}})";
+
+GltfMaker triangleFile() {
+  GltfMaker maker;
+  maker.accessor(kPlaces, "VEC3");
+  return maker;
+}
+
+Result<Scene> decodedOdd(const std::string& json) {
+  return decodeGltf(Bytes(json.begin(), json.end()), ::testing::TempDir() + "model.gltf");
+}
+Result<Scene> decodedOdd(const Bytes& bytes) { return decodeGltf(bytes, ::testing::TempDir() + "model.glb"); }
+
+/// A file is shown, and nothing is told.
+void expectSilent(const Result<Scene>& scene) {
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_THAT(scene->warnings, IsEmpty());
+  EXPECT_EQ(scene->meshes.at(0)->vertices.at(1).position, glm::vec3(1, 0, 0));
+}
+
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return at == std::string::npos ? text : text.replace(at, part.size(), by);
+}
+
+/// A .glb of parts, with wrong lengths where they are to be.
+Bytes glbOf(const std::string& json, const Bytes& binary, std::ptrdiff_t more_in_header = 0,
+            std::ptrdiff_t more_in_binary = 0) {
+  Bytes file = {'g', 'l', 'T', 'F'};
+  const auto put = [&](std::size_t word) {
+    for (int shift = 0; shift < 32; shift += 8) file.push_back(static_cast<std::uint8_t>(word >> shift));
+  };
+  put(2);
+  put(std::size_t(std::ptrdiff_t(12 + 8 + json.size() + 8 + binary.size()) + more_in_header));
+  put(json.size());
+  put(0x4E4F534A);
+  file.insert(file.end(), json.begin(), json.end());
+  put(std::size_t(std::ptrdiff_t(binary.size()) + more_in_binary));
+  put(0x004E4942);
+  file.insert(file.end(), binary.begin(), binary.end());
+  return file;
+}
+
+const std::string kBinaryJson =
+    R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+    R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
+    R"("byteLength":36}],"buffers":[{"byteLength":36}]})";
+
+Bytes places() {
+  const auto bytes = bytesOf(std::span<const float>(kPlaces));
+  return {bytes.begin(), bytes.end()};
+}
+
+// --- the container
+
+TEST(GltfOddContainer, LengthsThatAreWrongDoNotMatter) {
+  expectSilent(decodedOdd(glbOf(kBinaryJson, places())));
+  for (const std::ptrdiff_t more : {-12, 12, 1000}) expectSilent(decodedOdd(glbOf(kBinaryJson, places(), more)));
+  expectSilent(decodedOdd(glbOf(kBinaryJson, places(), 0, 3)));  // padding is counted, and not there
+  expectTold(decodedOdd(glbOf(kBinaryJson, places(), 0, 1000)), "it is truncated, and what it lacks is left out");
+  Bytes followed = glbOf(kBinaryJson, places());
+  followed.insert(followed.end(), 9, 'x');
+  expectSilent(decodedOdd(followed));
+}
+
+TEST(GltfOddContainer, JsonMayBePaddedByZerosAndBlanksAndNotAtAll) {
+  for (const std::string& padding :
+       {std::string("\0\0\0", 3), std::string("\0", 1), std::string(" \n\t"), std::string()})
+    expectSilent(decodedOdd(glbOf(kBinaryJson + padding, places())));
+  // Padded, which the chunk's length does not count.
+  std::string json = kBinaryJson;
+  while (json.size() % 4 != 1) json += ' ';
+  Bytes file = glbOf(json, places());
+  file.insert(file.begin() + static_cast<std::ptrdiff_t>(20 + json.size()), 3, std::uint8_t{' '});
+  expectSilent(decodedOdd(file));
+}
+
+TEST(GltfOddContainer, IsKnownByItsFirstBytesWhateverItsName) {
+  const Bytes binary = triangleFile().glb(kPlain);
+  expectSilent(decodeGltf(binary, "model.gltf"));
+  const std::string text = triangleFile().gltf(kPlain);
+  expectSilent(decodeGltf(Bytes(text.begin(), text.end()), "model.glb"));
+}
+
+TEST(GltfOddContainer, TheJsonMayBeginWithAByteOrderMark) {
+  expectSilent(decodedOdd("\xEF\xBB\xBF" + triangleFile().gltf(kPlain)));
+  expectSilent(decodedOdd(glbOf("\xEF\xBB\xBF" + kBinaryJson, places())));
+}
+
+TEST(GltfOddContainer, DataMayBeWrittenInManyWays) {
+  const std::string usual = "data:application/octet-stream;base64,";
+  for (const char* type : {"data:;base64,", "data:application/gltf-buffer;base64,", "DATA:image/png;BASE64,",
+                           "data:application/octet-stream;charset=utf-8;base64,"})
+    expectSilent(decodedOdd(replaced(triangleFile().gltf(kPlain), usual, type)));
+  std::string broken = replaced(triangleFile().gltf(kPlain), usual, usual + " \\n");
+  const std::size_t at = broken.find(usual) + usual.size() + 10;
+  expectSilent(decodedOdd(broken.insert(at, "\\r\\n  ")));
+
+  std::string percents = "data:application/octet-stream,";
+  for (const std::uint8_t byte : places()) {
+    constexpr char kDigits[] = "0123456789abcdef";
+    percents += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+  }
+  expectSilent(
+      decodedOdd(replaced(kBinaryJson, R"({"byteLength":36}]})", R"({"byteLength":36,"uri":")" + percents + "\"}]}")));
+
+  // The alphabet of addresses: −1 is of bytes 0xBF 0x80 among which '+' and '/' are met.
+  GltfMaker signs;
+  signs.accessor(std::vector<std::int8_t>{-1, -1, -1, 0, -5, -2, 3, -65, -17, 0, 0, 0}, "VEC3");
+  std::string other = signs.gltf(R"({"attributes":{"POSITION":0}})");
+  const Scene wanted = decodedOdd(other).value();
+  const std::size_t first = other.find(usual) + usual.size();
+  for (std::size_t i = first; other[i] != '"'; ++i) {
+    if (other[i] == '+') other[i] = '-';
+    if (other[i] == '/') other[i] = '_';
+  }
+  EXPECT_EQ(decodedOdd(other).value().meshes.at(0)->vertices.at(1).position,
+            wanted.meshes.at(0)->vertices.at(1).position);
+}
+
+// --- the JSON
+
+TEST(GltfOddJson, OfNoVersionIsReadAndOfAnotherIsRefusedWithWhatHelps) {
+  const std::string whole = triangleFile().gltf(kPlain), asset = R"("asset":{"version":"2.0"})";
+  expectTold(decodedOdd(replaced(whole, asset, R"("asset":{})")), "names no version of glTF; it is read as glTF 2.0");
+  expectTold(decodedOdd(replaced(whole, asset + ",", "")), "names no version");
+  expectSilent(decodedOdd(replaced(whole, asset, R"("asset":{"version":"2"})")));
+  expectSilent(decodedOdd(replaced(whole, asset, R"("asset":{"version":2.0})")));
+  const Result<Scene> first = decodedOdd(replaced(whole, asset, R"("asset":{"version":"1.0"})"));
+  ASSERT_FALSE(first);
+  EXPECT_EQ(first.error().message,
+            "asset.version is '1.0'; only glTF 2.0 is read, which gltf-pipeline makes of glTF 1.0");
+  EXPECT_THAT(decodedOdd(replaced(whole, asset, R"("asset":{"version":"3.0"})")).error().message, HasSubstr("'3.0'"));
+}
+
+TEST(GltfOddJson, WhatIsNullIsNotThere) {
+  expectSilent(decodedOdd(triangleFile().gltf(
+      R"({"attributes":{"POSITION":0},"indices":null,"material":null,"targets":null})",
+      R"("nodes":[{"mesh":0,"skin":null,"matrix":null,"name":null,"children":null}],"materials":null,"scene":null)")));
+}
+
+TEST(GltfOddJson, NanAndInfinityAreRead) {
+  GltfMaker maker;
+  maker.accessor(kPlaces, "VEC3", R"(,"min":[NaN,-Infinity,0],"max":[1,Infinity,NaN])");
+  expectTold(decodedOdd(maker.gltf(kPlain)), "has NaN or Infinity in its JSON, which has no such words");
+  const Result<Scene> named = decodedOdd(maker.gltf(kPlain, R"("nodes":[{"mesh":0,"name":"NaN \" Infinity"}])"));
+  expectTold(named, "has NaN or Infinity");
+  EXPECT_EQ(named->rig.nodes.at(0).name, "NaN \" Infinity");
+  for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity"})
+    EXPECT_THAT(decodedOdd(std::string(broken)).error().message, HasSubstr("is no valid JSON")) << broken;
+}
+
+TEST(GltfOddJson, RequiredExtensionsAreLeftOutIfThereIsSomethingToShow) {
+  expectTold(decodedOdd(triangleFile().gltf(kPlain, R"("extensionsRequired":["KHR_texture_basisu","ADOBE_x"])")),
+             "what it says by ADOBE_x and KHR_texture_basisu is left out");
+  GltfMaker compressed;
+  compressed.rawAccessor(R"({"componentType":5126,"count":3,"type":"VEC3"})");
+  const Result<Scene> refused = decodedOdd(compressed.gltf(kPlain, R"("extensionsRequired":["ACME_mesh_coding"])"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "extensionsRequired names 'ACME_mesh_coding', which this program cannot read; export the model without it");
+}
+
+// --- scenes and nodes
+
+TEST(GltfOddScene, TheFirstSceneIsShownWhereNoneIsNamed) {
+  const std::string nodes = R"("nodes":[{"mesh":0},{"mesh":0,"translation":[5,0,0]}],)";
+  const auto shown = [&](const std::string& scenes) {
+    const Result<Scene> scene = decodedOdd(triangleFile().gltf(kPlain, nodes + scenes));
+    EXPECT_TRUE(scene) << scenes;
+    return scene ? *scene : Scene{};
+  };
+  const Scene one = shown(R"("scenes":[{"nodes":[1]}])");
+  ASSERT_EQ(one.instances.size(), 1u);
+  EXPECT_EQ(one.instances[0].world_from_object[3].x, 5.0f);
+  EXPECT_THAT(one.warnings, IsEmpty());
+  const Scene first = shown(R"("scenes":[{"nodes":[1]},{"nodes":[0]}])");
+  EXPECT_EQ(first.instances.at(0).world_from_object[3].x, 5.0f);
+  EXPECT_THAT(first.warnings, ElementsAre(HasSubstr("does not say which of its 2 scenes is shown; it is the first")));
+  const Scene missing = shown(R"("scene":7,"scenes":[{"nodes":[1]}])");
+  EXPECT_EQ(missing.instances.at(0).world_from_object[3].x, 5.0f);
+  EXPECT_THAT(missing.warnings, ElementsAre(HasSubstr("scene is 7, but there is 1 scene; the first is shown")));
+  EXPECT_EQ(shown(R"("scenes":[])").instances.size(), 2u);
+}
+
+TEST(GltfOddScene, WhatIsNowhereIsLeftOutWithAllBelow) {
+  const std::string nowhere[] = {R"("matrix":[null,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])", R"("translation":[0,NaN,0])",
+                                 R"("scale":[1e40,1,1])", R"("rotation":[0,0,0,null])"};
+  for (const std::string& place : nowhere) {
+    const Result<Scene> scene =
+        decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"children":[1],)" + place +
+                                                   R"(},{"mesh":0},{"mesh":0,"children":[3]},{"name":"below"}])"));
+    expectTold(scene, "; the node with all below it is left out");
+    EXPECT_EQ(scene->instances.size(), 1u) << place;
+    ASSERT_EQ(scene->rig.nodes.size(), 2u) << place;
+    EXPECT_EQ(scene->rig.nodes[1].name, "below");
+    EXPECT_EQ(scene->rig.nodes[1].parent, 0);
+  }
+}
+
+TEST(GltfOddScene, ANodeWithoutVolumeIsLeftOutAndTold) {
+  const Result<Scene> scene = decodedOdd(
+      triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0},{"mesh":0,"scale":[1,1,0]},{"mesh":0,"scale":[0,0,0]}])"));
+  expectTold(scene, "nodes[1] has no volume by its scale; the mesh of such a node is left out, and so is another");
+  EXPECT_EQ(scene->instances.size(), 1u);
+}
+
+TEST(GltfOddScene, AnAnimationFindsTheNodesBehindOnesThatAreNowhere) {
+  GltfMaker maker = triangleFile();
+  testing::AnimationMaker walk(maker);
+  walk.move(R"("node":1,"path":"translation")", {0, 1}, {0, 0, 0, 2, 0, 0}, "VEC3")
+      .move(R"("node":0,"path":"translation")", {0, 1}, {0, 0, 0, 9, 0, 0}, "VEC3");
+  const Result<Scene> scene =
+      decodedOdd(maker.gltf(kPlain, R"("nodes":[{"scale":[null,1,1]},{"mesh":0}],"animations":[)" + walk.json() + "]"));
+  expectTold(scene, "nodes[0] has a transform that holds NaN");
+  ASSERT_EQ(scene->rig.animations.at(0).channels.size(), 1u);
+}
+
+// --- meshes
+
+TEST(GltfOddMesh, ADamagedPrimitiveIsLeftOutAndTheOthersAreShown) {
+  GltfMaker maker = triangleFile();
+  maker.rawAccessor(R"({"bufferView":0,"componentType":5126,"count":300,"type":"VEC3"})");
+  const std::string damaged = R"(,{"attributes":{"POSITION":1}})";
+  const Result<Scene> scene = decodedOdd(maker.gltf(kPlain + damaged + damaged));
+  expectTold(scene,
+             "accessors[1] reaches byte 3600 of bufferViews[0], which has 36; the damaged primitive is left out, "
+             "and so is another");
+  EXPECT_EQ(scene->meshes.size(), 1u);
+  EXPECT_EQ(scene->warnings.size(), 1u);
+}
+
+TEST(GltfOddMesh, ABufferThatIsMissingAndNotUsedIsNoMatter) {
+  const std::string json = replaced(triangleFile().gltf(kPlain), R"("buffers":[)", R"("x":0,"buffers":[)");
+  std::string more = json.substr(0, json.rfind("]"));
+  more += R"(,{"byteLength":99,"uri":"lost.bin"}]})";
+  expectSilent(decodedOdd(more));
+}
+
+TEST(GltfOddMesh, TrianglesOfNoVertexAndOfNoPlaceAreLeftOut) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, INFINITY}, "VEC3");
+  maker.accessor(std::vector<std::uint16_t>{0, 1, 2, 0, 1, 65535, 0, 1, 3, 1, 2, 3}, "SCALAR");
+  const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0},"indices":1})"));
+  expectTold(scene,
+             "1 triangle names a vertex that is not there and is left out; 2 triangles reach NaN or infinity and "
+             "are left out");
+  EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+}
+
+// The authors' normals lean by 30° from those of the triangles; a triangle without an area is beside.
+TEST(GltfOddMesh, NormalsWithoutADirectionAreMadeForTheirVerticesAlone) {
+  for (const float bad : {0.0f, kNan, INFINITY}) {
+    GltfMaker maker;
+    maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0.1f, 0, 0, 0.2f, 0, 0}, "VEC3");
+    maker.accessor(std::vector<float>{0.5f, 0, 0.8660254f, bad, bad, bad, 0.5f, 0, 0.8660254f, bad, bad, bad, bad, bad,
+                                      bad, bad, bad, bad},
+                   "VEC3");
+    const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"NORMAL":1}})"));
+    expectTold(scene, "4 normals have no direction and are made from the triangles around");
+    const std::vector<Vertex>& vertices = scene->meshes.at(0)->vertices;
+    for (const std::size_t own : {0u, 2u})
+      EXPECT_LT(glm::distance(vertices.at(own).normal, glm::vec3(0.5f, 0, 0.8660254f)), 1e-6f) << bad;
+    EXPECT_EQ(vertices.at(1).normal, glm::vec3(0, 0, 1)) << bad;
+  }
+}
+
+TEST(GltfOddMesh, TangentsWithoutADirectionAreMadeForTheirVerticesAlone) {
+  for (const float bad : {0.0f, kNan}) {
+    GltfMaker maker = triangleFile();
+    maker.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    maker.accessor(std::vector<float>{0, 1, 0, -1, bad, bad, bad, 1, 0, 1, 0, -1}, "VEC4");
+    maker.accessor(std::vector<float>{0, 1, 1, 1, 0, 0}, "VEC2");
+    const Result<Scene> scene =
+        decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3}})"));
+    expectTold(scene, "1 tangent has no direction and is made from the triangles around");
+    const std::vector<Vertex>& vertices = scene->meshes.at(0)->vertices;
+    EXPECT_EQ(vertices.at(0).tangent, glm::vec4(0, 1, 0, -1));
+    EXPECT_EQ(vertices.at(1).tangent, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(vertices.at(2).tangent, glm::vec4(0, 1, 0, -1));
+  }
+}
+
+TEST(GltfOddMesh, CoordinatesThatAreNoNumbersAre0) {
+  GltfMaker maker = triangleFile();
+  maker.accessor(std::vector<float>{kNan, 1, 1, 1, 0, 0}, "VEC2");
+  const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"TEXCOORD_0":1}})"));
+  expectTold(scene, "1 texture coordinate is no number and is read as 0");
+  EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).uv[0], glm::vec2(0.0f));
+  EXPECT_EQ(scene->meshes[0]->vertices.at(1).uv[0], glm::vec2(1.0f));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball::gltf {
+
+/// What is odd about a file, as it is found: each kind of damage becomes one line, however often it is met. A file is
+/// shown without what is damaged; where nothing of it is left to be shown, the first damage is why it is refused.
+///
+/// Not for several threads at a time: what they find is told after them, in the file's order.
+class Remarks {
+ public:
+  /// A line of its own, the continuation of "NAME: ".
+  void tell(std::string line);
+
+  /// Something is left out, since it is damaged or names what is not there.
+  ///
+  /// what     in the singular: "texture". The first damage of each is told, and how many more there are
+  void leaveOut(const Error& damage, const char* what);
+
+  /// The same of what is sound, but not read.
+  void leaveOut(std::string found, const char* what);
+
+  /// Damage that is told of only if it leaves nothing to be shown.
+  void suspect(const Error& damage);
+
+  /// Why a file is refused of which nothing is left; none: nothing was damaged.
+  const std::optional<Error>& firstDamage() const { return first_damage_; }
+
+  std::vector<std::string> lines() const;
+
+ private:
+  struct Line {
+    std::string text;
+    const char* what = nullptr;  // is left out; none: a line of its own
+    std::size_t count = 1;
+  };
+  std::vector<Line> lines_;
+  std::map<std::string_view, std::size_t> line_of_;  // of what is left out
+  std::optional<Error> first_damage_;
+};
+
+}  // namespace mirrorball::gltf

@@ -110,7 +110,7 @@ TEST_F(PhotoSphereTest, AStripOfTheWholeCircleIsOne) {
 
 TEST_F(PhotoSphereTest, ItsPacketIsReadInEveryFormat) {
   const Image part = partOfPanorama({128, 64}, {256, 128});
-  const std::string packet = photoSpherePacket(kHalf);
+  const std::string packet = packetWith(kHalf);
   write("plain.png", part);
   write("half.png", pngWithPacket(bytes("plain.png"), packet));
   write("half.exr", part, {{"mirrorball:xmp", packet}});

@@ -5,15 +5,9 @@
 
 #include "mirrorball/codec/ldr/gain_map_metadata.h"
 #include "mirrorball/codec/ldr/jpeg_segments.h"
+#include "mirrorball/environment/file/photo_sphere_testing.h"
 
 namespace mirrorball::testing {
-
-/// A Photo Sphere's XMP packet with these attributes.
-inline std::string photoSpherePacket(const std::string& attributes) {
-  return "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF><rdf:Description "
-         "xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\" " +
-         attributes + "/></rdf:RDF></x:xmpmeta>";
-}
 
 /// The attributes of a part of a panorama [texels].
 inline std::string croppedAreaOf(const std::string& left, const std::string& top, const std::string& width,
@@ -29,7 +23,7 @@ inline std::string croppedAreaOf(const std::string& left, const std::string& top
 
 /// A JPEG as a camera writes a Photo Sphere.
 inline Bytes asPhotoSphere(Bytes jpeg, const std::string& attributes) {
-  const std::string packet = std::string(kXmpName) + photoSpherePacket(attributes);
+  const std::string packet = std::string(kXmpName) + packetWith(attributes);
   const Bytes segment = jpegSegment(kApp1, {reinterpret_cast<const std::uint8_t*>(packet.data()), packet.size()});
   jpeg.insert(jpeg.begin() + static_cast<std::ptrdiff_t>(behindJfif(jpeg)), segment.begin(), segment.end());
   return jpeg;

@@ -11,6 +11,7 @@
 #include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/row_reader.h"
+#include "mirrorball/environment/file/photo_sphere.h"
 #include "mirrorball/environment/file/recognize.h"
 
 namespace mirrorball {
@@ -58,6 +59,7 @@ Result<bool> isLikelyPhotograph(const std::filesystem::path& path) {
   MIRRORBALL_TRY(rows, openRows(path));
   if (rows) return hasNoMap({rows->description().width, rows->description().height}, rows->description().metadata);
   MIRRORBALL_TRY(bytes, readImageFile(path));
+  if (photoSphereIn(bytes)) return false;
   if (const auto size = sizeByHeader(bytes)) {
     const auto recognition = recognize(size->x, size->y, {});
     if (recognition && recognition->form.projection == Projection::equirect) return false;

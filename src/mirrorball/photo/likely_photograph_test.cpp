@@ -8,6 +8,7 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/codec/left_out_testing.h"
+#include "mirrorball/environment/file/photo_sphere_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -54,6 +55,11 @@ TEST(LikelyPhotograph, IsNothingThatSaysWhichMapItIs) {
   ASSERT_TRUE(writeImage(path, Image(90, 70, 3)));
   EXPECT_TRUE(*isLikelyPhotograph(path));
   EXPECT_FALSE(isLikelyPhotograph("nowhere.jpg"));
+  Bytes strip = withExif(*encodeJpeg(Image8(256, 64, 3), {}), kOfCamera);
+  const std::string packet = testing::packetWith(testing::kHalfOfPanorama);
+  strip.insert(strip.end(), packet.begin(), packet.end());
+  ASSERT_TRUE(writeFile(path, strip));
+  EXPECT_FALSE(*isLikelyPhotograph(path)) << "a Photo Sphere";
 }
 
 TEST(LikelyPhotograph, ReadsTheShapeOfOtherFormatsToo) {

@@ -1,7 +1,11 @@
 #include "mirrorball/environment/file/compass_heading.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/projection/projection.h"
 
@@ -50,7 +54,28 @@ TEST(CompassHeading, ThePicturesMiddleMayBeAnotherOfOurAxes) {
             1e-6f);
 }
 
-// The column is one of the picture, whatever its middle is to us.
+// Light that was seen by a tilted camera is where it comes from again, whatever axis of ours the middle is.
+TEST(CompassHeading, ALevelledPanoramaHasTheLightOfItsDirections) {
+  constexpr double kPitch_deg = 20.0, kRoll_deg = -35.0;
+  for (const SignedAxis centre : {SignedAxis::plus_z, SignedAxis::minus_x}) {
+    const glm::mat3 map_from_picture = centredOn(vectorOf(centre));
+    const glm::mat3 level_from_picture = glm::transpose(pictureFromLevel(kPitch_deg, kRoll_deg));
+    const Environment tilted(
+        [&](glm::vec3 d) {
+          return testing::smoothRadiance(map_from_picture * level_from_picture * glm::transpose(map_from_picture) * d);
+        },
+        128);
+    const auto level = levelled(*convert(tilted, Projection::equirect, 128), kPitch_deg, kRoll_deg, centre);
+    ASSERT_TRUE(level) << level.error().message;
+    for (const glm::vec3 direction : testing::manyDirections(500))
+      EXPECT_LT(glm::distance(level->radiance(direction), testing::smoothRadiance(direction)), 2e-3f);
+  }
+  // A camera that looks up has the horizon below the middle of its picture.
+  const glm::vec3 horizon = pictureFromLevel(30.0, 0.0) * glm::vec3(0.0f, 0.0f, 1.0f);
+  EXPECT_NEAR(horizon.y, -0.5f, 1e-6f);
+}
+
+// The column is one of the picture, whatever its middle is to us; of the whole panorama where that is larger.
 TEST(CompassHeading, NorthIsFoundInPanoramasAlone) {
   LoadedEnvironment loaded{.environment = Environment({}, 1), .file_size = {2048, 1024}};
   const CompassHeading heading{.heading_deg = 90.0};
@@ -65,7 +90,15 @@ TEST(CompassHeading, NorthIsFoundInPanoramasAlone) {
     EXPECT_NEAR(north->column, 512.0f, 0.01f);
     EXPECT_EQ(north->axes.north, compassAxes(heading, centre).north);
     EXPECT_EQ(north->heading.heading_deg, 90.0);
+    EXPECT_EQ(north->columns, 2048);
   }
+  loaded.window = PictureWindow{.whole = {4096, 2048}, .corner = {512, 512}, .size = {2048, 1024}};
+  EXPECT_NEAR(findNorth(heading, loaded)->column, 1024.0f, 0.01f);
+  const CompassHeading tilted{.heading_deg = 90.0, .pitch_deg = 5.0, .roll_deg = 12.0};
+  EXPECT_GT(std::abs(findNorth(tilted, loaded)->axes.north.y), 0.1f);
+  loaded.is_levelled = true;
+  EXPECT_EQ(findNorth(tilted, loaded)->axes.up, glm::vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_EQ(findNorth(tilted, loaded)->axes.north, compassAxes(heading, SignedAxis::plus_x).north);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// What a file says of a panorama in XMP: the part that its picture shows, how its camera stood, its compass heading. The
-// first three bytes are a picture's size and what the caller says of its form; the rest is the file. What is accepted
-// becomes a whole panorama, 2:1, of finite light.
+// What a file says of a panorama in XMP: the part that its picture shows, how its camera stood, its compass heading.
+// The first three bytes are a picture's size and what the caller says of its form; the rest is the file. What is
+// accepted becomes a whole panorama, 2:1, of finite light.
 
 #include "mirrorball/environment/file/photo_sphere.h"
 

@@ -33,8 +33,8 @@ struct CompassAxes {
 /// from     Google, Photo Sphere XMP Metadata: PoseHeadingDegrees, PosePitchDegrees, PoseRollDegrees
 CompassAxes compassAxes(const CompassHeading& heading, SignedAxis centre = SignedAxis::plus_z);
 
-/// Turns directions of a level panorama, in which up is up and the middle is the point of the horizon under or above the
-/// picture's middle, into those of a picture that was taken with the camera tilted. Both have +Z in their middle.
+/// Turns directions of a level panorama, in which up is up and the middle is the point of the horizon under or above
+/// the picture's middle, into those of a picture that was taken with the camera tilted. Both have +Z in their middle.
 ///
 /// pitch_deg, roll_deg   as in CompassHeading
 glm::mat3 pictureFromLevel(double pitch_deg, double roll_deg);

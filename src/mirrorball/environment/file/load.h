@@ -76,8 +76,8 @@ struct LoadedEnvironment {
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
 
-/// Remarks what is unusual in its file, what speaks against the form in which a map was taken, that its file lost a gain
-/// map, and how much light its limit took.
+/// Remarks what is unusual in its file, what speaks against the form in which a map was taken, that its file lost a
+/// gain map, and how much light its limit took.
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer);
 
 /// The six files of a cube that the name of one of them stands for, if most of them exist.

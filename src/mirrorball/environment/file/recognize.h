@@ -37,7 +37,7 @@ struct FormHint {
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
 ///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
 ///   centre=AXIS          of an equirect, and so are the next: our direction in its middle, "+x", "-x", "+z" or "-z"
-///   crop=X,Y,W,H/FULLWxFULLH   the part of it that the picture shows, in texels; "crop=none": all, whatever its file says
+///   crop=X,Y,W,H/FULLWxFULLH   the part of it that the picture shows, in texels; "crop=none": all, against its file
 ///   fov=HxV              the same in degrees around its middle: "fov=360x90"
 ///   fill=smooth, fill=black   what becomes of the rest
 ///   level=no             it is not levelled where its file says how the camera was tilted
@@ -87,8 +87,8 @@ bool statesForm(const Metadata& metadata);
 
 /// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
 /// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles; nearly 2:1 equirect, see
-/// isNearlyWholePanorama). All other forms have to be named. Of a panorama, the picture may have another shape than 2:1:
-/// where it is a part, as the hint says, or nearly 2:1.
+/// isNearlyWholePanorama). All other forms have to be named. The picture of a panorama may have another shape than
+/// 2:1: where the hint says that it is a part, or where it is nearly 2:1.
 ///
 /// errors   bad_shape: the shape fits no form, or not the named one; or, without a hint, the metadata says that it is
 ///          not a map

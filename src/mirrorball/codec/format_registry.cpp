@@ -29,8 +29,11 @@ Result<DecodedImage> decodeTexturePicture(Span bytes) {
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
   if (texture.images.faces() != 1)
     return fail(ErrorCode::bad_shape, "is the texture of a cube, where one picture is wanted");
-  return DecodedImage{std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(texture.format),
-                      std::move(texture.color)};
+  return DecodedImage{.image = std::move(texture.images.at(0, 0)),
+                      .metadata = std::move(texture.metadata),
+                      .format = std::move(texture.format),
+                      .color = std::move(texture.color),
+                      .oddities = std::move(texture.oddities)};
 }
 
 Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& options) {

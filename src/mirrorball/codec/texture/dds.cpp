@@ -1,13 +1,15 @@
 #include "mirrorball/codec/texture/dds.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cctype>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
-#include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/texture/dds_layout.h"
 #include "mirrorball/codec/texture/format_numbers.h"
 #include "mirrorball/codec/texture/stored_format.h"
@@ -25,6 +27,10 @@ struct DdsHeader {
   StoredFormat format;
   bool encoding_assumed = false;  ///< the file does not say whether it is sRGB
   std::size_t size = 0;           ///< bytes: the texels begin here
+  std::size_t row_alignment = 1;  ///< bytes: rows of texels are multiples of them
+  std::vector<std::string> oddities = {};
+
+  std::uint64_t texelBytes() const { return chainSize(shape, format, row_alignment) * shape.imagesPerLevel(); }
 };
 
 constexpr const char* kDdsInstead = "R16G16B16A16_FLOAT";
@@ -100,11 +106,114 @@ Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {
   const auto format = formatOfDxgi(littleU32(dx10));
   if (!format) return unsupportedTexture(nameOfDxgi(littleU32(dx10)), kDdsInstead);
   header.format = *format;
-  if (littleU32(dx10 + 4) != kTexture2d)
+  // World of Tanks Blitz has 0, D3D10_RESOURCE_DIMENSION_UNKNOWN (microsoft/DirectXTex#667).
+  const std::uint32_t dimension = littleU32(dx10 + 4);
+  if (dimension == 0) header.oddities.emplace_back("does not say its dimension: read as two-dimensional");
+  if (dimension != 0 && dimension != kTexture2d)
     return unsupportedTexture("a texture that is not two-dimensional", kDdsInstead);
   if (littleU32(dx10 + 8) & kMiscCube) header.shape.faces = 6;
+  // Writers that hold one image for no array (microsoft/DirectXTex#490).
   header.shape.layers = littleU32(dx10 + 12);
+  if (header.shape.layers == 0) {
+    header.oddities.emplace_back("says it is an array of no layers: read as one");
+    header.shape.layers = 1;
+  }
   return {};
+}
+
+/// The sizes of DDS_HEADER and DDS_PIXELFORMAT, which state themselves. Some programs of Direct3D 9 write 24 for either,
+/// or 0 for the latter (microsoft/DirectXTex#399, #392, #371); the rest of their headers is right.
+Result<void> checkHeaderSizes(std::uint32_t header_size, std::uint32_t pixel_format_size, DdsHeader& header) {
+  constexpr std::uint32_t kHeader = 124;
+  constexpr std::uint32_t kPixelFormat = 32;
+  constexpr std::uint32_t kWrong = 24;
+  const bool is_known = (header_size == kHeader || header_size == kWrong) &&
+                        (pixel_format_size == kPixelFormat || pixel_format_size == kWrong || pixel_format_size == 0);
+  if (!is_known)
+    return fail(ErrorCode::bad_file, "the header's sizes at bytes 4 and 76 are not 124 and 32; it is damaged");
+  if (header_size != kHeader || pixel_format_size != kPixelFormat)
+    header.oddities.push_back("states " + std::to_string(header_size) + " and " + std::to_string(pixel_format_size) +
+                              " for the sizes of its header's parts: read as 124 and 32");
+  return {};
+}
+
+/// "+X, -X and +Y" of dwCaps2.
+std::string facesListed(std::uint32_t caps2) {
+  constexpr std::uint32_t kFirstFace = 0x400;
+  constexpr std::array<std::string_view, 6> kFaces{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  std::vector<std::string_view> listed;
+  for (std::size_t face = 0; face < kFaces.size(); ++face)
+    if (caps2 & kFirstFace << face) listed.push_back(kFaces[face]);
+  return listed.empty() ? "none" : join(listed, ", ", " and ");
+}
+
+/// The texels of a file decide where what it says of a cube can be read in two ways. A cube is declared in dwCaps2, the
+/// only place before DX10, or by a flag of DX10; writers set one or both (g-truc/gli#148, #158, #171).
+///
+/// available  bytes of texels
+Result<void> settleCube(std::uint32_t caps2, bool is_dx10, std::uint64_t available, DdsHeader& header) {
+  TextureShape& shape = header.shape;
+  const bool is_square = shape.width == shape.height;
+  const auto fits = [&](std::uint32_t faces, std::uint32_t layers) {
+    const TextureShape tried{shape.width, shape.height, shape.levels, layers, faces};
+    return chainSize(tried, header.format) * tried.imagesPerLevel() <= available;
+  };
+  // Microsoft's own example of a cube had arraySize 6, as its images are counted in memory, where a file counts cubes
+  // (MicrosoftDocs/win32#1970, microsoft/DirectXTex#585).
+  const bool counts_faces = is_dx10 && shape.layers % 6 == 0 && !fits(6, shape.layers) && fits(6, shape.layers / 6);
+  const bool lists_all = (caps2 & kCaps2AllFaces) == kCaps2AllFaces;
+  const bool is_listed = (caps2 & kCaps2Cube) || (lists_all && is_square && fits(6, shape.layers));
+  if (is_dx10 && shape.faces == 1 && is_listed && is_square && (fits(6, shape.layers) || counts_faces)) {
+    header.oddities.emplace_back("says only in its old header that it is a cube: read as one");
+    shape.faces = 6;
+  }
+  if (shape.faces == 6 && counts_faces) {
+    header.oddities.push_back("counts " + std::to_string(shape.layers) + " layers, and has texels for " +
+                              counted(shape.layers / 6, "cube") + ": its faces are counted");
+    shape.layers /= 6;
+  }
+  if (is_dx10 || !is_listed) return {};
+  if (!lists_all && !(is_square && fits(6, 1)))
+    return unsupportedTexture("a cube with fewer than six faces (" + facesListed(caps2) + ")", kDdsInstead);
+  if (!lists_all)
+    header.oddities.push_back("lists the faces " + facesListed(caps2) + " of a cube, and has texels for six: read so");
+  shape.faces = 6;
+  return {};
+}
+
+std::uint32_t mostLevels(const TextureShape& shape) {
+  return static_cast<std::uint32_t>(std::bit_width(std::max(shape.width, shape.height)));
+}
+
+/// Levels that a header counts and the file does not have (microsoft/DirectXTex#394, #484), or the other way round. The
+/// second of several images begins behind the levels of the first: there nothing but the file's length can tell.
+void settleLevels(std::uint64_t available, DdsHeader& header) {
+  TextureShape& shape = header.shape;
+  const std::uint32_t stated = shape.levels;
+  const std::uint64_t stated_bytes = header.texelBytes();
+  if (shape.imagesPerLevel() == 1) {
+    while (shape.levels > 1 && header.texelBytes() > available) --shape.levels;
+  } else if (stated_bytes < available) {
+    shape.levels = mostLevels(shape);
+    if (header.texelBytes() != available) shape.levels = stated;
+  }
+  if (shape.levels != stated)
+    header.oddities.push_back("counts " + counted(stated, "mip level") + ", and has texels for " +
+                              std::to_string(shape.levels) + ": read so");
+}
+
+/// Rows that begin at multiples of 4 bytes, as Direct3D had them in memory: where the pitch says so and the file is as
+/// long as that makes it (DirectXTex's DDS_FLAGS_LEGACY_DWORD).
+void settleRows(std::uint32_t pitch, std::uint64_t available, DdsHeader& header) {
+  constexpr std::size_t kDirect3dAlignment = 4;
+  const std::uint64_t row = rowSize(header.shape, header.format, 0);
+  if (row % kDirect3dAlignment == 0 || row + kDirect3dAlignment - row % kDirect3dAlignment != pitch) return;
+  header.row_alignment = kDirect3dAlignment;
+  if (header.texelBytes() == available)
+    header.oddities.push_back("has rows of " + std::to_string(pitch) + " bytes for " + std::to_string(row) +
+                              " of texels: the rest of each is left out");
+  else
+    header.row_alignment = 1;
 }
 
 Result<DdsHeader> readDdsHeader(Span bytes) {
@@ -112,14 +221,11 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
     return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes.size()) + " of " +
                                          std::to_string(kDdsHeaderSize) + "; the file is truncated");
   const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
-  // The sizes of DDS_HEADER and of DDS_PIXELFORMAT.
-  if (u32(4) != 124 || u32(76) != 32)
-    return fail(ErrorCode::bad_file, "the header's sizes at bytes 4 and 76 are not 124 and 32; it is damaged");
   DdsHeader header;
+  MIRRORBALL_TRY_VOID(checkHeaderSizes(u32(4), u32(76), header));
   header.size = kDdsHeaderSize;
   header.shape.height = u32(12);
   header.shape.width = u32(16);
-  header.shape.levels = std::max(u32(28), 1u);
   const std::uint32_t caps2 = u32(112);
   if (caps2 & kCaps2Volume) return unsupportedTexture("a three-dimensional texture", kDdsInstead);
   const bool is_dx10 = (u32(80) & kPixelFourLetters) && u32(84) == kDx10;
@@ -133,22 +239,20 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
     MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76));
     header.format = format;
     header.encoding_assumed = format.type == SampleType::srgb8;
-    if (caps2 & kCaps2Cube) {
-      if ((caps2 & kCaps2AllFaces) != kCaps2AllFaces)
-        return unsupportedTexture("a cube with fewer than six faces", kDdsInstead);
-      header.shape.faces = 6;
-    }
   }
+  // Of a shape that no texture has, no sizes are computed.
   MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
+  const std::uint32_t stated_levels = std::max(u32(28), 1u);
+  header.shape.levels = std::min(stated_levels, mostLevels(header.shape));
+  if (header.shape.levels != stated_levels)
+    header.oddities.push_back("counts " + std::to_string(stated_levels) + " mip levels, of which its size has " +
+                              std::to_string(header.shape.levels) + ": read so");
+  const std::uint64_t available = bytes.size() - header.size;
+  MIRRORBALL_TRY_VOID(settleCube(caps2, is_dx10, available, header));
+  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
+  settleRows(u32(20), available, header);
+  settleLevels(available, header);
   return header;
-}
-
-/// Bytes of all levels of one face.
-std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format) {
-  std::uint64_t size = 0;
-  for (std::uint32_t level = 0; level < shape.levels; ++level)
-    size += imageSize(shape, format, static_cast<int>(level));
-  return size;
 }
 
 Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header) {
@@ -157,45 +261,14 @@ Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header)
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < images.levels(); ++level) {
-        const auto row = static_cast<std::size_t>(rowSize(shape, header.format, level));
+        const std::uint64_t size = imageSize(shape, header.format, level, header.row_alignment);
+        const auto row =
+            static_cast<std::size_t>(size / blocksAlong(header.format, std::uint64_t(shape.heightAt(level))));
         MIRRORBALL_TRY(image, unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level)));
         images.at(level, face, layer) = std::move(image);
-        texels += imageSize(shape, header.format, level);
+        texels += size;
       }
   return images;
-}
-
-Bytes encodeHeader(const TextureShape& shape, TexelFormat format, bool has_alpha) {
-  const bool is_cube = shape.faces == 6;
-  const bool has_mips = shape.levels > 1;
-  const bool is_complex = is_cube || has_mips || shape.layers > 1;
-  LittleEndianWriter writer;
-  writer.u32(kMagic);
-  writer.u32(124);
-  // Of compressed texels the size of the first level is stated, of others that of a row.
-  const StoredFormat stored = storedFormat(format);
-  const bool is_compressed = blockSide(stored) > 1;
-  writer.u32(kHasCaps | kHasHeight | kHasWidth | kHasPixelFormat | (is_compressed ? kHasLinearSize : kHasPitch) |
-             (has_mips ? kHasMipCount : 0));
-  writer.u32(shape.height);
-  writer.u32(shape.width);
-  writer.u32(static_cast<std::uint32_t>(is_compressed ? imageSize(shape, stored, 0) : rowSize(shape, stored, 0)));
-  writer.u32(0);  // no depth
-  writer.u32(shape.levels);
-  writer.zeros(11 * 4);
-  writer.u32(32);  // DDS_PIXELFORMAT
-  writer.u32(kPixelFourLetters);
-  writer.u32(kDx10);
-  writer.zeros(5 * 4);  // no masks
-  writer.u32(kCapsTexture | (is_complex ? kCapsComplex : 0) | (has_mips ? kCapsMips : 0));
-  writer.u32(is_cube ? kCaps2Cube | kCaps2AllFaces : 0);
-  writer.zeros(3 * 4);
-  writer.u32(dxgiNumber(format));
-  writer.u32(kTexture2d);
-  writer.u32(is_cube ? kMiscCube : 0);
-  writer.u32(shape.layers);
-  writer.u32(has_alpha ? kAlphaStraight : kAlphaOpaque);
-  return writer.takeBytes();
 }
 
 }  // namespace
@@ -204,7 +277,7 @@ bool isDds(Span bytes) { return bytes.size() >= 4 && littleU32(bytes.data()) == 
 
 Result<DecodedImageSet> decodeDds(Span bytes) {
   MIRRORBALL_TRY(header, readDdsHeader(bytes));
-  const std::uint64_t expected = chainSize(header.shape, header.format) * header.shape.imagesPerLevel();
+  const std::uint64_t expected = header.texelBytes();
   if (expected > bytes.size() - header.size)
     return fail(ErrorCode::bad_file, "its texels have " + std::to_string(expected) + " bytes from byte " +
                                          std::to_string(header.size) + " on, but the file has " +
@@ -212,31 +285,11 @@ Result<DecodedImageSet> decodeDds(Span bytes) {
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format));
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header));
-  return DecodedImageSet{std::move(images),
-                         {},
-                         "DDS, " + nameOf(header.format) + assumed,
-                         describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed};
-}
-
-TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options) {
-  const StoredFormat format = storedFormat(options.format);
-  const std::uint64_t chain = chainSize(shape, format);
-  TextureLayout layout{encodeHeader(shape, options.format, format.channels == 4 && has_alpha), {}};
-  std::uint64_t level_offset = kDdsHeaderSize + kDx10HeaderSize;
-  for (int level = 0; level < static_cast<int>(shape.levels); ++level) {
-    std::uint64_t offset = level_offset;
-    for (int layer = 0; layer < static_cast<int>(shape.layers); ++layer)
-      for (int face = 0; face < static_cast<int>(shape.faces); ++face, offset += chain)
-        layout.images.push_back({level, layer, face, offset});
-    level_offset += imageSize(shape, format, level);
-  }
-  return layout;
-}
-
-Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write) {
-  const TextureLayout layout = ddsLayout(shapeOf(images), images.at(0, 0).channels() == 4, options);
-  MIRRORBALL_TRY_VOID(write(0, layout.header));
-  return streamTexels(images, layout.images, options.format, write, options.progress);
+  return DecodedImageSet{.images = std::move(images),
+                         .metadata = {},
+                         .format = "DDS, " + nameOf(header.format) + assumed,
+                         .color = describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed,
+                         .oddities = std::move(header.oddities)};
 }
 
 }  // namespace mirrorball

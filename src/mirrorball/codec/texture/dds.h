@@ -14,7 +14,8 @@ namespace mirrorball {
 bool isDds(std::span<const std::uint8_t> bytes);
 
 /// Decodes a DDS file, with the DX10 header or from before it (by four-letter code or by bit masks). 8-bit files from
-/// before DX10 do not say how they are encoded: they are taken as sRGB, like PNG.
+/// before DX10 do not say how they are encoded: they are taken as sRGB, like PNG. Headers that programs are known to
+/// write wrongly are read as they are meant, which the number of texels tells (docs/files.md).
 ///
 /// errors   as decodeImageSet
 /// from     Microsoft, "Programming Guide for DDS" and "DDS_HEADER_DXT10"

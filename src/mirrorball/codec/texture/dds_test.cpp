@@ -140,7 +140,8 @@ TEST(Dds, WhatIsNotReadIsNamed) {
   expectUnsupported(oldDds({.flags = 4, .code = dxt5}, Bytes(16)), "DXT5");
   expectUnsupported(oldDds({.flags = 0x40, .bits = 16, .masks = {0xf800, 0x7e0, 0x1f, 0}}, Bytes(2)), "16 bits");
   expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x200000}, Bytes(8)), "three-dimensional");
-  expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0600}, Bytes(8)), "fewer than six faces");
+  expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0600}, Bytes(8)), "fewer than six faces (+X)");
+  expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0200}, Bytes(5 * 8)), "fewer than six faces (none)");
   Bytes file = ddsOf(textureOf(1, 1, 1, 3, 2, 2));
   file[128] = 98;  // DXGI_FORMAT_BC7_UNORM
   expectUnsupported(file, "BC7 block compression");
@@ -158,11 +159,11 @@ TEST(Dds, LyingHeadersAreNamedWithTheirPlace) {
     return result ? "" : result.error().message;
   };
   EXPECT_THAT(with(4, 123), HasSubstr("bytes 4 and 76"));
+  EXPECT_THAT(with(76, 31), HasSubstr("bytes 4 and 76"));
   EXPECT_THAT(with(12, 5), HasSubstr("square"));
   EXPECT_THAT(with(16, 0), HasSubstr("0x4"));
-  EXPECT_THAT(with(28, 4), HasSubstr("1 to 3"));
   EXPECT_THAT(with(28, 3), HasSubstr("its texels have 1008 bytes from byte 148 on"));
-  EXPECT_THAT(with(140, 0), HasSubstr("no layers"));
+  EXPECT_THAT(with(28, 0xffffffffu), HasSubstr("its texels have 1008 bytes from byte 148 on"));
   EXPECT_THAT(with(140, 0xffffffffu), HasSubstr("layers"));
 }
 

@@ -120,9 +120,11 @@ class Reader {
     MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format));
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
-    return DecodedImageSet{std::move(images), std::move(values.metadata),
-                           "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),
-                           describeColor(curveOf(format), {}, imageChannels(format))};
+    return DecodedImageSet{.images = std::move(images),
+                           .metadata = std::move(values.metadata),
+                           .format = "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),
+                           .color = describeColor(curveOf(format), {}, imageChannels(format)),
+                           .oddities = std::move(oddities_)};
   }
 
  private:
@@ -146,13 +148,26 @@ class Reader {
                                          std::to_string(bytes_.size()) + "; it is truncated or damaged");
   }
 
+  /// Whether the sizes that stand before the levels are those of all images of a level, as they are but for a cube that
+  /// is no array, where they are those of one face. Older versions of gli and bimg took the one for the other
+  /// (kopaka1822/ImageViewer#16, bkaradzic/bimg#64, #82).
+  bool statesWholeLevels(bool is_array, std::uint32_t stated, std::uint64_t of_image, std::uint64_t of_level) {
+    const bool is_other = of_image != of_level && stated == (is_array ? of_image : of_level);
+    if (is_other)
+      oddities_.push_back(is_array ? "states the size of one image where that of its level should stand: read as such"
+                                   : "states the size of six faces where that of one should stand: read as such");
+    return is_array != is_other;
+  }
+
   Result<ImageSet> readLevels(const TextureShape& shape, const StoredFormat& format, bool is_array) {
     ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
+    bool states_levels = is_array;
     for (int level = 0; level < images.levels(); ++level) {
       const std::uint64_t size = imageSize(shape, format, level, kAlignment);
-      // Of a cube that is no array, the size of one face is stated.
-      const std::uint64_t expected = is_array ? size * shape.imagesPerLevel() : size;
+      const std::uint64_t of_level = size * shape.imagesPerLevel();
       const std::uint32_t stated = u32(at_);
+      if (level == 0) states_levels = statesWholeLevels(is_array, stated, size, of_level);
+      const std::uint64_t expected = states_levels ? of_level : size;
       if (stated != expected)
         return fail(ErrorCode::bad_file, "level " + std::to_string(level) + " at byte " + std::to_string(at_) +
                                              " says it has " + counted(stated, "byte") + "; as " + nameOf(format) +
@@ -184,6 +199,7 @@ class Reader {
   Span bytes_;
   bool big_endian_ = false;
   std::size_t at_ = 0;
+  std::vector<std::string> oddities_ = {};
 };
 
 }  // namespace

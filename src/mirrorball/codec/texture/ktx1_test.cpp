@@ -121,6 +121,30 @@ TEST(Ktx1, CubesArraysAndLevels) {
   }
 }
 
+/// Older versions of gli stated the size of all six faces, others that of one image of an array.
+TEST(Ktx1, SizesOfLevelsThatAreTakenForThoseOfImagesAreReadAndTold) {
+  for (const std::uint32_t layers : {0u, 2u}) {
+    const std::uint32_t count = std::max(layers, 1u) * 6;
+    Bytes file = ktx1Header({.width = 2, .height = 2, .layers = layers, .faces = 6, .levels = 2});
+    for (const std::uint32_t texels : {4u, 1u}) {
+      appendU32(file, 16 * texels * (layers > 0 ? 1 : count), false);
+      for (std::uint32_t image = 0; image < count; ++image)
+        for (std::uint32_t i = 0; i < 4 * texels; ++i)
+          appendU32(file, bitCast<std::uint32_t>(static_cast<float>(image)), false);
+    }
+    const auto read = decodeKtx1(file);
+    ASSERT_TRUE(read) << read.error().message;
+    for (int level = 0; level < 2; ++level)
+      EXPECT_EQ(read->images.at(level, 5, read->images.layers() - 1).texel(0, 0)[0], static_cast<float>(count - 1));
+    EXPECT_THAT(read->oddities,
+                ::testing::ElementsAre(HasSubstr(layers > 0 ? "the size of one image" : "of six faces")));
+    // Both ways in one file are damage.
+    const std::size_t second = file.size() - 4 - 16 * count;
+    file[second] ^= 1;
+    EXPECT_THAT(decodeKtx1(file).error().message, HasSubstr("level 1 at byte"));
+  }
+}
+
 TEST(Ktx1, OrientationAndMetadataAreRead) {
   Bytes key_values;
   appendU32(key_values, 23, false);

@@ -69,8 +69,9 @@ struct TextureWriteOptions {
 struct DecodedImageSet {
   ImageSet images;  ///< linear light, Rec.709; 1, 3 or 4 channels; row 0 on top
   Metadata metadata;
-  std::string format;      ///< as `info` shows it: "KTX2, r16g16b16a16 sfloat, Zstandard"
-  std::string color = {};  ///< as DecodedImage's
+  std::string format;                      ///< as `info` shows it: "KTX2, r16g16b16a16 sfloat, Zstandard"
+  std::string color = {};                  ///< as DecodedImage's
+  std::vector<std::string> oddities = {};  ///< likewise
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in

@@ -51,6 +51,13 @@ std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, i
   return pitch * blocksAlong(format, std::uint64_t(shape.heightAt(level)));
 }
 
+std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format, std::size_t row_alignment) {
+  std::uint64_t size = 0;
+  for (std::uint32_t level = 0; level < shape.levels; ++level)
+    size += imageSize(shape, format, static_cast<int>(level), row_alignment);
+  return size;
+}
+
 std::string placeName(const TextureShape& shape, int level, int layer, int face) {
   constexpr const char* kFaces[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
   std::string place = "level " + std::to_string(level);

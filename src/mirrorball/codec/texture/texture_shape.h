@@ -47,6 +47,9 @@ std::uint64_t rowSize(const TextureShape& shape, const StoredFormat& format, int
 std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, int level,
                         std::size_t row_alignment = 1);
 
+/// Bytes of all levels of one face, largest first.
+std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format, std::size_t row_alignment = 1);
+
 /// "level 2, layer 3, face +X", as far as the texture has such.
 std::string placeName(const TextureShape& shape, int level, int layer, int face);
 

@@ -330,11 +330,23 @@ void addModels(Corpus& corpus) {
   corpus.add("obj", "triangle",
              bytesOf("mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"
                      "f -3//1 -2//1 -1//1\n"));
+  corpus.add(
+      "obj", "colors",
+      bytesOf(
+          "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 1 0 0 \\\n1\nv 0,5 1 nan\n#MRGB ffff0000ff00ff00\nvt nan 0\nvn 0 0 0\n"
+          "f -4/1/1 -3/1/1 -2/1/1\nf 1 2 3 4\nf 1 2 9\n"));
   corpus.add("ply", "ascii",
              bytesOf("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
                      "property list uchar int vertex_indices\nend_header\n"
                      "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"));
+  corpus.add("ply", "faces",
+             bytesOf("ply\nformat ascii 1.0\ncomment TextureFile none.png\nelement vertex 4\nproperty float x\n"
+                     "property float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                     "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+                     "property int texnumber\nproperty ushort r\nproperty ushort g\nproperty ushort b\nend_header\n"
+                     "0 0 0 0 0 1\n1 0 0 nan 0 0\n1 1 0 0 0 0\n0 nan 0 0 0 1\n3 0 1 2 6 0 0 1 0 1 1 0 255 0 7\n"
+                     "4 0 1 2 3 0 1 9 9 9\n"));
   Bytes binary = bytesOf(
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n");
@@ -352,6 +364,10 @@ void addModels(Corpus& corpus) {
   for (const float value : corners) testing::appendU32(stl, std::bit_cast<std::uint32_t>(value), false);
   stl.insert(stl.end(), {0, 0});
   corpus.add("stl", "binary", stl);
+  const std::string_view magics("COLOR=\xff\x80\0\xff", 10);
+  std::copy(magics.begin(), magics.end(), stl.begin());
+  stl.back() = 0x80;
+  corpus.add("stl", "colors", stl);
 
   const std::string json =
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[1,2,3]}],)"

@@ -214,6 +214,21 @@ TEST_F(MtlFolderTest, BumpsAreHeightsIfTheyAreGreyAndElseNormals) {
   EXPECT_THAT(named.warnings, ElementsAre(HasSubstr("'bump' is left out")));
 }
 
+TEST_F(MtlFolderTest, AMaterialGoesWithoutPicturesThatCannotBeRead) {
+  write("broken.png", "\x89PNG\r\n\x1a\nand no more");
+  for (const std::string name : {"broken.png", "none.png"}) {
+    const Scene scene =
+        load("newmtl a\nKd 0 0 0\nKe 1 1 1\nmap_Kd " + name + "\nmap_Ke " + name + "\nnorm " + name + "\n");
+    const Material& a = scene.materials.at(0);
+    EXPECT_THAT(scene.textures, IsEmpty());
+    EXPECT_EQ(a.base_color_map.texture, -1);
+    EXPECT_EQ(a.normal_map.texture, -1);
+    EXPECT_NE(a.base_color, glm::vec3(0)) << "black stands beside a picture only";
+    EXPECT_EQ(a.emission, glm::vec3(0)) << "where the picture glows is not known";
+    EXPECT_THAT(scene.warnings, Each(HasSubstr("the material goes without it"))) << name;
+  }
+}
+
 TEST_F(MtlFolderTest, WhatIsLeftOutIsToldOnceAStatement) {
   const Scene scene = load("newmtl a\nmap_Ks s.ppm\ndisp d.ppm\nrefl r.ppm\nmap_Ka\n");
   EXPECT_THAT(scene.warnings, SizeIs(3));

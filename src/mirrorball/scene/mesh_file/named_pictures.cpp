@@ -5,6 +5,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/height_field/slopes.h"
+#include "mirrorball/scene/material/lost_textures.h"
 #include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball {
@@ -102,22 +103,28 @@ TextureSlot NamedPictures::add(const MtlMap& map, Reading reading, const MtlMap*
 
 void NamedPictures::decode() {
   std::vector<EncodedPicture> encoded;
+  std::vector<const MtlMap*> maps;  // of each
+  const auto plan = [&](const MtlMap& map, std::span<const std::uint8_t> bytes, bool shows_colors) {
+    encoded.push_back({bytes, shows_colors});
+    maps.push_back(&map);
+  };
   for (const Pending& each : pending_) {
-    if (!each.bytes.empty())
-      encoded.push_back({each.bytes, each.reading == Reading::colors || each.reading == Reading::light});
-    if (each.opacity != nullptr) encoded.push_back({each.opacity_bytes, false});
+    const bool shows_colors = each.reading == Reading::colors || each.reading == Reading::light;
+    if (!each.bytes.empty()) plan(*each.map, each.bytes, shows_colors);
+    if (each.opacity != nullptr) plan(*each.opacity, each.opacity_bytes, false);
   }
-  std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.files().budget());
+  const auto remark = [&](std::size_t picture, const std::string& oddity) { warn(*maps[picture], oddity); };
+  std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.files().budget(), {}, remark);
   auto next = decoded.begin();
+  std::vector<bool> is_lost;
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     const Pending& each = pending_[i];
-    Texture& texture = scene_.textures[i];
     Result<Texels> texels = each.bytes.empty() ? Result<Texels>(Image8(1, 1, 4, 255)) : std::move(*next++);
-    const auto filled = fill(each, std::move(texels), each.opacity != nullptr ? &*next++ : nullptr, texture);
-    if (filled) continue;
-    warn(*each.map, filled.error().message + "; the material goes without it");
-    texture.image = Image8(1, 1, 4, 255);
+    const auto filled = fill(each, std::move(texels), each.opacity != nullptr ? &*next++ : nullptr, scene_.textures[i]);
+    if (!filled) warn(*each.map, filled.error().message + "; the material goes without it");
+    is_lost.push_back(!filled);
   }
+  leaveOutTextures(scene_, is_lost);
 }
 
 Result<void> NamedPictures::fill(const Pending& pending, Result<Texels> texels, Result<Texels>* opacity,

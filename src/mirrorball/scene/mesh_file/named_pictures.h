@@ -37,7 +37,8 @@ class NamedPictures {
   /// format names no length. A picture that is not grey holds normals, whatever its statement says.
   TextureSlot heights(const MtlMap& map);
 
-  /// Reads them all into Scene::textures. To be called once, last.
+  /// Reads them all into Scene::textures, and takes those out that cannot be read (material/lost_textures.h). To be
+  /// called once, when the scene has all materials that use them.
   void decode();
 
  private:

@@ -121,7 +121,8 @@ glm::dvec3 toPlace(glm::dvec3 place) {
 void NumberReader::Oddity::add(std::string_view of, std::size_t in_line) {
   if (count++ > 0) return;
   line = in_line;
-  word = excerpt(of);
+  constexpr std::size_t kLongest = 24;  // a line may have several
+  word = excerpt(of, kLongest);
 }
 
 NumberText NumberReader::read(std::string_view word, std::size_t line) {

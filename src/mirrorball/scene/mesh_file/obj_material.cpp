@@ -49,7 +49,7 @@ class MaterialConverter {
   void chooseAlphaModes() {
     for (const std::size_t index : with_opacity_picture_) {
       Material& material = scene_.materials[index];
-      if (material.alpha_mode == AlphaMode::opaque)
+      if (material.alpha_mode == AlphaMode::opaque && material.base_color_map.texture >= 0)
         material.alpha_mode = chooseAlphaMode(scene_.textures[std::size_t(material.base_color_map.texture)].image);
     }
   }
@@ -63,19 +63,24 @@ class MaterialConverter {
     material.emission_map = pictures_.colors(source.map(MtlMapKind::emission), TextureUse::light);
     if (opacity && material.base_color_map.texture >= 0) with_opacity_picture_.push_back(scene_.materials.size() - 1);
 
-    const bool has_picture = colors && material.base_color_map.texture >= 0;
-    glm::vec3 color = source.diffuse.value_or(has_picture ? glm::vec3(0.0f) : material.base_color);
+    // Many programs write black beside a picture, or nothing, which would hide it.
+    const glm::vec3 without = colors && material.base_color_map.texture >= 0 ? glm::vec3(1.0f) : material.base_color;
+    glm::vec3 color = source.diffuse.value_or(without);
+    if (colors && color == glm::vec3(0.0f)) color = without;
     if (const float greatest = std::max({color.r, color.g, color.b}); greatest > 1.0f) {
       scene_.warnings.push_back(quotedName(source) + " has a Kd of " + formatNumber(greatest) + ", beyond 1: " +
                                 (greatest <= 255.0f ? "it is read in parts of 255" : "it is cut to 1"));
       if (greatest <= 255.0f) color /= 255.0f;
     }
-    // Many programs write black beside a picture, which would hide it.
-    if (has_picture && color == glm::vec3(0.0f)) color = glm::vec3(1.0f);
     material.base_color = glm::clamp(color, glm::vec3(0.0f), glm::vec3(1.0f));
     material.emission =
         glm::clamp(source.emission.value_or(glm::vec3(0.0f)), glm::vec3(0.0f), glm::vec3(kBrightestEmission));
-    if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
+    if (!source.map(MtlMapKind::emission)) return;
+    // What would glow where a picture that is missing says glows nowhere (lost_textures.h).
+    if (material.emission_map.texture < 0)
+      material.emission = glm::vec3(0.0f);
+    else if (material.emission == glm::vec3(0.0f))
+      material.emission = glm::vec3(1.0f);
   }
 
   void setRoughness(const MtlMaterial& source, Material& material) {

@@ -9,6 +9,7 @@
 #include "cli/cli_testing.h"
 #include "cli/photo_sphere_testing.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
+#include "mirrorball/codec/tiff/tiff_testing.h"
 #include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball::testing {
@@ -117,7 +118,8 @@ TEST_F(PhotoSphereTest, ItsPacketIsReadInEveryFormat) {
   Image8 picture(256, 128, 3);
   std::fill(picture.samples().begin(), picture.samples().end(), std::uint8_t{128});
   write("half.webp", extendedWebp(picture, 0x04, "XMP ", Bytes(packet.begin(), packet.end())));
-  for (const std::string extension : {"png", "exr", "webp"}) {
+  write("half.tif", tiffFile({{TiffForm{.width = 256, .height = 128, .xmp = packet}, Bytes(256 * 128 * 3, 128)}}));
+  for (const std::string extension : {"png", "exr", "webp", "tif"}) {
     succeed("convert half." + extension + " --from equirect:fill=black --to equirect -o " + extension + ".hdr");
     EXPECT_EQ(image(extension + ".hdr").width(), 512) << extension;
     EXPECT_GT(lightIn(extension + ".hdr", {0, 0, 1}).y, 0.1f) << extension;

@@ -33,6 +33,7 @@ struct TiffForm {
   std::vector<float> primaries = {};        ///< white's x and y, then red's, green's and blue's
   std::uint32_t subfile = 0;                ///< FILETYPE_…
   bool is_dng = false;
+  std::string xmp = {};
 };
 
 /// A file in memory that libtiff writes to.
@@ -91,6 +92,8 @@ inline void setTiffFields(TIFF* tiff, const TiffForm& form) {
   }
   if (!form.profile.empty())
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(form.profile.size()), form.profile.data());
+  if (!form.xmp.empty())
+    TIFFSetField(tiff, TIFFTAG_XMLPACKET, static_cast<std::uint32_t>(form.xmp.size()), form.xmp.data());
   constexpr std::uint8_t kVersion[]{1, 4, 0, 0};
   if (form.is_dng) TIFFSetField(tiff, TIFFTAG_DNGVERSION, kVersion);
   if (!form.primaries.empty()) {

@@ -15,6 +15,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/image/resize.h"
 #include "mirrorball/metric/picture/heat_map.h"
 
@@ -89,6 +90,7 @@ const auto kCompareOptions = std::to_array<Option<CompareOptions>>({
      &CompareOptions::repair},
     {{.name = "resize", .help = "bring A to the size of B first, by the mean of what each of its pixels covers"},
      &CompareOptions::resize},
+    {layerText(), &CompareOptions::layer},
     {kMaxMemoryText, kMemoryLimitField<CompareOptions>},
     {{.name = "heat-map", .value = "FILE", .help = kHeatMapHelp, .group = "Pictures", .takes_path = true},
      &CompareOptions::heat_map},
@@ -119,21 +121,35 @@ struct ComparedSide {
   std::string name;
   std::string format;
   ImageKind kind;
+  bool has_several_pictures;
   ComparedImage image;
 };
 
-Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
+/// The picture of a file, or the layer of it that is asked for: of two files that are compared one may have a single
+/// picture, which is none of the other's layers.
+Result<DecodedImage> decodeCompared(const std::string& path, std::span<const std::uint8_t> bytes,
+                                    const std::string& layer) {
+  ImageReadOptions how{.layer = layer, .progress = progressBar("reading " + shown(path))};
+  auto decoded = decodeImage(bytes, how);
+  if (decoded || decoded.error().code != ErrorCode::not_found) return decoded;
+  how.layer.clear();
+  auto single = decodeImage(bytes, how);
+  return single && single->layers.empty() ? std::move(single) : std::move(decoded);
+}
+
+Result<ComparedSide> readComparedSide(const std::string& path, const CompareOptions& options) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, {.progress = progressBar("reading " + shown(path))})));
-  for (const std::string& oddity : decoded.oddities) remark(path + ": " + oddity);
+  MIRRORBALL_TRY(decoded, withName(path, decodeCompared(path, bytes, options.layer)));
+  for (const std::string& oddity : withOtherLayer(decoded.oddities, decoded.is_layer_guessed))
+    remark(path + ": " + oddity);
   const bool is_picture = holdsCodes(bytes) && decoded.gain_map != GainMapUse::applied;
   const ImageKind kind = is_picture ? ImageKind::picture : ImageKind::light;
-  if (const NonFinite bad = findNonFinite(decoded.image); repair && bad.count > 0) {
+  if (const NonFinite bad = findNonFinite(decoded.image); options.repair && bad.count > 0) {
     MIRRORBALL_TRY_VOID(withName(path, repairNonFinite(decoded.image)));
     remark(path + ": " + textOf(bad) + "; compared as the mean of their neighbours");
   }
   MIRRORBALL_TRY(image, withName(path, comparedImage(std::move(decoded.image), kind)));
-  return ComparedSide{path, decoded.format, kind, std::move(image)};
+  return ComparedSide{path, decoded.format, kind, !decoded.layers.empty(), std::move(image)};
 }
 
 /// errors   bad_shape: one is a picture, the other light
@@ -145,6 +161,12 @@ Result<void> refuseDifferentKinds(const ComparedSide& test, const ComparedSide& 
   };
   return fail(ErrorCode::bad_shape,
               told(test) + " and " + told(reference) + "; their numbers mean different things: compare two of a kind");
+}
+
+/// errors   not_found: a layer was asked for, and neither file has several pictures
+Result<void> refuseIdleLayer(const ComparedSide& test, const ComparedSide& reference, const CompareOptions& options) {
+  if (options.layer.empty() || test.has_several_pictures || reference.has_several_pictures) return {};
+  return fail(ErrorCode::not_found, test.name + " and " + reference.name + ": have no layers; leave --layer out");
 }
 
 /// Brings one image to the size of the other.
@@ -256,8 +278,9 @@ Result<void> compare(const std::string& test_name, const std::string& reference_
                      const GivenOptions& given) {
   MIRRORBALL_TRY_VOID(refuseIdleCompareOptions(options, given));
   MIRRORBALL_TRY_VOID(checkOutputs({test_name, reference_name}, options));
-  MIRRORBALL_TRY(test, readComparedSide(test_name, options.repair));
-  MIRRORBALL_TRY(reference, readComparedSide(reference_name, options.repair));
+  MIRRORBALL_TRY(test, readComparedSide(test_name, options));
+  MIRRORBALL_TRY(reference, readComparedSide(reference_name, options));
+  MIRRORBALL_TRY_VOID(refuseIdleLayer(test, reference, options));
   MIRRORBALL_TRY_VOID(refuseDifferentKinds(test, reference));
   MIRRORBALL_TRY_VOID(refuseOptionsOfLight(test, given));
   if (options.resize) MIRRORBALL_TRY_VOID(resizeTo(reference.image, test));

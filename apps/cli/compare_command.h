@@ -29,6 +29,7 @@ struct CompareOptions {
   bool json = false;
   bool repair = false;
   bool resize = false;
+  std::string layer;  ///< of a file of several pictures
 };
 
 std::span<const Option<CompareOptions>> compareOptions();

@@ -8,6 +8,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/scene/material/texture_numbers.h"
 
@@ -26,9 +27,9 @@ void flipGreen(Image& normals) {
   for (std::size_t i = 1; i < normals.samples().size(); i += channels) normals.samples()[i] = -normals.samples()[i];
 }
 
-Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(read, decodeDataTexture(bytes, progressBar("reading " + shown(input))));
-  for (const std::string& oddity : read.oddities) remark(input + ": " + oddity);
+Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes, const std::string& layer) {
+  MIRRORBALL_TRY(read, decodeDataTexture(bytes, {.layer = layer, .progress = progressBar("reading " + shown(input))}));
+  for (const std::string& oddity : withOtherLayer(read.oddities, read.is_layer_guessed)) remark(input + ": " + oddity);
   Texture texture;
   MIRRORBALL_TRY(changes, setTexels(std::move(read.picture), TextureUse::normals, texture));
   if (isGrey(texture.image))

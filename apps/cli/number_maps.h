@@ -29,8 +29,9 @@ void flipGreen(Image& normals);
 ///
 /// input    its name, for remarks
 /// bytes    of its file
+/// layer    of it that is asked for, if any
 /// errors   bad_shape: grey; as decodeDataTexture's
-Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes);
+Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes, const std::string& layer);
 
 /// The codes of 8 bits nearest to a map's numbers; says where some do not fit.
 Image8 pictureOf(const MadeMap& map, const std::string& output);

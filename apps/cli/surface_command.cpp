@@ -13,6 +13,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/height_texture.h"
@@ -94,6 +95,7 @@ const auto kSurfaceOptions = std::to_array<Option<SurfaceOptions>>({
       .help = "in how many directions the horizon is looked for, of occlusion and bent-normal",
       .group = "Heights"},
      choiceField<&SurfaceOptions::azimuths>},
+    {layerText(), &SurfaceOptions::layer},
     {kInsideOnlyText, &SurfaceOptions::inside_only},
     {kMaxMemoryText, kMemoryLimitField<SurfaceOptions>},
 });

@@ -8,6 +8,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/height_field/heights_from_normals.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
 #include "mirrorball/height_field/occlusion.h"
@@ -112,11 +113,13 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
   }
   MIRRORBALL_TRY(bytes, readImageFile(input));
   if (!isOfNormals(options.to)) {
-    MIRRORBALL_TRY(read, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
-    for (const std::string& oddity : read.oddities) remark(input + ": " + oddity);
+    MIRRORBALL_TRY(read, withName(input, decodeNumbers(bytes, {.layer = options.layer,
+                                                               .progress = progressBar("reading " + shown(input))})));
+    for (const std::string& oddity : withOtherLayer(read.oddities, read.is_layer_guessed))
+      remark(input + ": " + oddity);
     return withName(input, mapOfHeights(heightsOf(std::move(read.picture), input), options));
   }
-  MIRRORBALL_TRY(normals, withName(input, readNormals(input, bytes)));
+  MIRRORBALL_TRY(normals, withName(input, readNormals(input, bytes, options.layer)));
   if (options.to != SurfaceMap::height) return normalsOfModel(std::move(normals), input, options);
   return withName(input, heightsOfNormals(std::move(normals), options));
 }

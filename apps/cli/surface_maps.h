@@ -36,6 +36,7 @@ struct SurfaceOptions {
   int azimuths = 2;        ///< 8 << azimuths
   std::string model = {};  ///< whose normals they are, of object_normal and tangent_normal
   bool inside_only = false;
+  std::string layer = {};  ///< of a file of several pictures
 };
 
 /// Reads heights or normals, and makes the map. What there is to say of the input is said.

@@ -40,7 +40,8 @@ Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& option
   return encodeHdr(light, options.metadata, options.primaries);
 }
 
-Result<std::unique_ptr<RowReader>> openHdrRowsOfPicture(FileReader file, const ImageReadOptions&) {
+Result<std::unique_ptr<RowReader>> openHdrRowsOfPicture(FileReader file, const ImageReadOptions& options) {
+  if (!options.layer.empty()) return nullptr;  // which readImage refuses
   return openHdrRows(std::move(file));
 }
 

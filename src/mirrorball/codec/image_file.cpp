@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_format.h"
@@ -35,10 +36,21 @@ tl::unexpected<Error> unknownFormat(Span bytes, std::string_view known) {
 /// The codec for these bytes; nullptr where there is none.
 Result<const FormatCodec*> codecFor(Span bytes) { return FormatRegistry::ofThisBuild().codecFor(bytes); }
 
+/// errors   not_found: a layer was asked for of a file of one picture
+Result<void> checkLayer(const ImageReadOptions& options, bool has_layers) {
+  if (options.layer.empty() || has_layers) return {};
+  return fail(ErrorCode::not_found, "has no layers, and none that is named '" + excerpt(options.layer) + "'");
+}
+
 Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
   if (!codec) return unknownFormat(bytes, readFormatNames());
-  if (codec->decode) return codec->decode(bytes, options);
+  if (codec->decode) {
+    MIRRORBALL_TRY(decoded, codec->decode(bytes, options));
+    MIRRORBALL_TRY_VOID(checkLayer(options, !decoded.layer.empty()));
+    return decoded;
+  }
+  MIRRORBALL_TRY_VOID(checkLayer(options, false));
   MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::stored));
   return imageOf(std::move(file));
 }
@@ -66,14 +78,15 @@ Result<PictureCodes> decodeCodesByMagic(Span bytes) {
 /// of_codes  (CodedFile) → Decoded<Picture>
 /// of_light  (Image) → Picture
 template <typename Picture, typename OfCodes, typename OfLight>
-Result<Decoded<Picture>> decodeAs(Span bytes, CodeForm form, const ProgressFunction& progress, const OfCodes& of_codes,
+Result<Decoded<Picture>> decodeAs(Span bytes, CodeForm form, const ImageReadOptions& options, const OfCodes& of_codes,
                                   const OfLight& of_light) {
   if (const FormatCodec* codec = codecOfIntegers(bytes)) {
+    MIRRORBALL_TRY_VOID(checkLayer(options, false));
     MIRRORBALL_TRY(file, codec->decode_codes(bytes, form));
     return of_codes(std::move(file));
   }
-  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, {.progress = progress}));
-  return Decoded<Picture>{of_light(std::move(decoded.image)), std::move(decoded.oddities)};
+  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, options));
+  return Decoded<Picture>{of_light(std::move(decoded.image)), std::move(decoded.oddities), decoded.is_layer_guessed};
 }
 
 Texels floatTexels(Image light) { return withAlpha(std::move(light)); }
@@ -147,14 +160,14 @@ Result<Decoded<Texels>> decodeColorTexture(Span bytes) {
       [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, {}, colorTextureOf, floatTexels); });
 }
 
-Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ProgressFunction& progress) {
+Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ImageReadOptions& options) {
   return withinMemory<Decoded<Texels>>(
-      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, progress, dataTextureOf, floatTexels); });
+      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, options, dataTextureOf, floatTexels); });
 }
 
-Result<Decoded<Image>> decodeNumbers(Span bytes, const ProgressFunction& progress) {
+Result<Decoded<Image>> decodeNumbers(Span bytes, const ImageReadOptions& options) {
   return withinMemory<Decoded<Image>>([&] {
-    return decodeAs<Image>(bytes, CodeForm::stored, progress, numbersOf, [](Image numbers) { return numbers; });
+    return decodeAs<Image>(bytes, CodeForm::stored, options, numbersOf, [](Image numbers) { return numbers; });
   });
 }
 

@@ -63,8 +63,8 @@ struct DecodedImage {
   GainMapUse gain_map = GainMapUse::none;
   std::optional<PictureWindow> window = {};  ///< where the image is a part of a larger picture, or more than it
   std::vector<PictureLayer> layers = {};     ///< to choose from (ImageReadOptions::layer), if there are several
-  std::string layer = {};                    ///< the one of them that was read
-  bool is_layer_guessed = false;             ///< several are pictures, and none was asked for: the first of `oddities`
+  std::string layer = {};                    ///< the one that was read, of a format that has layers
+  bool is_layer_guessed = false;             ///< none was asked for, and the first of `oddities` tells of the choice
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
 };
 
@@ -79,6 +79,7 @@ template <typename Picture>
 struct Decoded {
   Picture picture;
   std::vector<std::string> oddities = {};  ///< DecodedImage's
+  bool is_layer_guessed = false;           ///< DecodedImage's
 };
 
 /// A picture as a camera or a program encoded it.
@@ -148,7 +149,7 @@ Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 ///
 /// returns  1, 3 or 4 channels
 /// errors   as decodeImage's
-Result<Decoded<Image>> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<Decoded<Image>> decodeNumbers(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Decodes a texture that shows colours: codes of sRGB with 8 bits, into which other colours of a file of integers are
 /// converted as far as they fit; else linear light with Rec.709's primaries.
@@ -162,7 +163,7 @@ Result<Decoded<Texels>> decodeColorTexture(std::span<const std::uint8_t> bytes);
 ///
 /// returns  4 channels, alpha 1 where the file has none
 /// errors   as decodeImage's
-Result<Decoded<Texels>> decodeDataTexture(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+Result<Decoded<Texels>> decodeDataTexture(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Whether the bytes begin like a format of integers that decodeCodes takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);

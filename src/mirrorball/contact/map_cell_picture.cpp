@@ -76,7 +76,10 @@ Result<CellPicture> mapCellPicture(const std::string& input, int width_px, const
   if (panorama && isLarge(*panorama)) {
     auto by_rows = convertedByRows(*panorama, height, progress);
     if (!by_rows && by_rows.error().code != ErrorCode::non_finite) return fail(std::move(by_rows));
-    if (by_rows) small = std::move(*by_rows);
+    if (by_rows) {
+      tellAbout(*panorama, input, observer);
+      small = std::move(*by_rows);
+    }
   }
   if (!small) {
     MIRRORBALL_TRY(whole, convertedWhole(input, height, options, cell.notes, observer, progress));

@@ -206,6 +206,7 @@ Result<SavedMap> convertFile(const std::string& input, const std::string& output
     panorama = std::move(opened);
   }
   if (panorama && isLarge(*panorama)) {
+    tellAbout(*panorama, input, keeping);
     MIRRORBALL_TRY(file,
                    outputOf(input, output, conversion.file, conversion.to.value_or(Projection::equirect), keeping));
     MIRRORBALL_TRY_VOID(convertByRows(input, std::move(panorama), conversion, file, observer.progressOf("convert")));

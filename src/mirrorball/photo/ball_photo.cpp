@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/photo/merge.h"
 
 namespace mirrorball {
@@ -53,6 +54,7 @@ const auto kBallPhotoOptions = std::to_array<Option<BallPhotoSettings>>({
       .help = "the camera's response curve; auto recovers it from a series, and assumes sRGB for a single photograph",
       .group = "Light"},
      choiceField<&BallPhotoSettings::response>},
+    {layerText("Light"), &BallPhotoSettings::layer},
 });
 
 /// "1/60,1/15,0.25"
@@ -115,7 +117,7 @@ Result<BallLight> readBallLight(std::span<const std::string> files, const BallPh
                                 const std::optional<Response>& known) {
   std::vector<Photograph> photographs;
   for (const std::string& file : files) {
-    MIRRORBALL_TRY(photograph, readPhotograph(file));
+    MIRRORBALL_TRY(photograph, readPhotograph(file, settings.layer));
     photographs.push_back(std::move(photograph));
   }
   MergeOptions how;

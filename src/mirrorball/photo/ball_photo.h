@@ -22,6 +22,7 @@ struct BallPhotoSettings {
   float fov_deg = 0.0f;            ///< vertical, of the whole photograph; 0: unknown
   std::string exposures = {};      ///< of a series [s], "1/60,1/15,0.25"; empty: from EXIF
   int response = 0;                ///< 0: recovered, or sRGB of a single photograph; else ResponseKind + 1
+  std::string layer = {};          ///< of files of several pictures, the one to read; empty: the picture
 
   bool operator==(const BallPhotoSettings&) const = default;
 };

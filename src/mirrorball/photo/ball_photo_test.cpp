@@ -82,11 +82,15 @@ TEST(BallPhoto, WhatCannotBeIsRefusedBeforeAnythingIsRead) {
 
 TEST(BallPhoto, TheTableHoldsAllSettings) {
   BallPhotoSettings settings;
-  const std::vector<std::string> texts{"1,2,3", "2", "4", "1/60", "linear"};
+  const std::vector<std::string> texts{"1,2,3", "2", "4", "1/60", "linear", "rgba"};
   ASSERT_EQ(ballPhotoOptions().size(), texts.size());
   for (std::size_t i = 0; i < texts.size(); ++i) ASSERT_TRUE(assign(ballPhotoOptions()[i], settings, texts[i]));
-  const BallPhotoSettings expected{
-      .circle = {1, 2, 3}, .distance = 2, .fov_deg = 4, .exposures = "1/60", .response = 1 + int(ResponseKind::linear)};
+  const BallPhotoSettings expected{.circle = {1, 2, 3},
+                                   .distance = 2,
+                                   .fov_deg = 4,
+                                   .exposures = "1/60",
+                                   .response = 1 + int(ResponseKind::linear),
+                                   .layer = "rgba"};
   EXPECT_EQ(settings, expected);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_layers.h"
 
 namespace mirrorball {
 namespace {
@@ -16,10 +17,10 @@ bool isOfCamera(const CodedColor& color) {
 
 }  // namespace
 
-Result<Photograph> readPhotograph(const std::filesystem::path& path) {
+Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::string& layer) {
   Photograph photograph{.name = path.string(), .codes = {}, .light = {}};
   MIRRORBALL_TRY(bytes, readImageFile(path));
-  if (holdsCodes(bytes)) {
+  if (holdsCodes(bytes) && layer.empty()) {
     MIRRORBALL_TRY(read, withName(photograph.name, decodeCodes(bytes)));
     photograph.exif = read.exif;
     if (isOfCamera(read.color)) {
@@ -29,11 +30,11 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
       return photograph;
     }
   }
-  MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes)));
+  MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes, {.layer = layer})));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
     return fail(ErrorCode::non_finite, photograph.name + ": " + textOf(bad));
   photograph.light = std::move(decoded.image);
-  photograph.oddities = std::move(decoded.oddities);
+  photograph.oddities = withOtherLayer(std::move(decoded.oddities), decoded.is_layer_guessed);
   return photograph;
 }
 

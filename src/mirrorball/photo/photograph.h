@@ -29,8 +29,9 @@ struct Photograph {
 /// Reads a photograph, upright. Integers of 16 bits are rounded to 8. Floats are linear light, and so are codes of PQ,
 /// HLG and other curves that are not a camera's.
 ///
+/// layer    of a file of several pictures (ImageReadOptions::layer); empty: the picture
 /// errors   whatever the codec finds; non_finite in linear light
-Result<Photograph> readPhotograph(const std::filesystem::path& path);
+Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::string& layer = {});
 
 /// How much light reaches the sensor for the same scene, relative to others of the series: time · ISO / f-number². A
 /// factor that is missing in one photograph, such as the f-number of a manual lens, is left out for the whole series.

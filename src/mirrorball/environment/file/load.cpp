@@ -7,6 +7,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
@@ -319,11 +320,8 @@ Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoa
 
 void tellOddities(const std::string& name, const std::vector<std::string>& oddities, bool is_layer_guessed,
                   const Observer& observer) {
-  for (const std::string& oddity : oddities) {
-    const bool is_of_layer = is_layer_guessed && &oddity == &oddities.front();
-    observer.tell(RemarkKind::file_odd,
-                  name + ": " + oddity + (is_of_layer ? "; {option:from} layer=NAME takes another" : ""));
-  }
+  for (const std::string& oddity : withOtherLayer(oddities, is_layer_guessed, "{option:from} layer=NAME"))
+    observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
 bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }

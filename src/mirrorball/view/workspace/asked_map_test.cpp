@@ -65,7 +65,7 @@ TEST(AskedMap, APhotographHasRows) {
     ASSERT_NE(found, groups.end());
     std::vector<std::string_view> names;
     for (const PanelRow& row : found->rows) names.push_back(row.name);
-    EXPECT_THAT(names, ElementsAre("circle", "distance", "fov", "response"));
+    EXPECT_THAT(names, ElementsAre("circle", "distance", "fov", "response", "layer"));
     const Workspace changed = *withValue(workspace, found->rows[1], std::vector<float>{4.0f});
     EXPECT_EQ(ballPhotoOf(*askedMap(changed, 0).photo)->distance, 4.0f);
     EXPECT_EQ(withoutGroup(changed, found->title), workspace);

@@ -111,6 +111,7 @@ TEST_F(BadMapTest, ATruncatedFile) {
     succeed("convert uv --to equirect --size 16 -o " + name);
     const Bytes whole = bytes(name);
     for (const std::size_t length : {whole.size() / 2, whole.size() - 5, std::size_t{20}}) {
+      if (extension == "jpg" && length > 20) continue;  // read as far as it goes: OddPictureTest
       write("cut." + extension, Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(length)));
       everyCommandRefuses("cut." + extension);
     }
@@ -193,7 +194,11 @@ TEST_F(BadMapTest, SixFacesThatDoNotFitTogether) {
   write("room_ny.exr", Image(9, 9, 3));
   EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: is 9x9"));
   std::filesystem::remove(path("room_ny.exr"));
-  EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: no such file"));
+  EXPECT_THAT(
+      refuse(1, "info room_px.exr"),
+      StartsWith(
+          "room_px.exr: is one of the six faces of a cube, without room_ny.exr; put all in one folder, or name its "
+          "form with --from"));
 }
 
 class BadTexelTest : public RenderCliTest {

@@ -54,13 +54,17 @@ class ConvertPresetTest : public CliTest {
 
   /// A map converted to a panorama, as bytes.
   Bytes panoramaOf(const std::string& input) const {
-    succeed("convert " + input + " --to equirect --size 32 -o panorama.exr");
+    succeed("convert --quiet " + input + " --to equirect --size 32 -o panorama.exr");
     return bytes("panorama.exr");
   }
 };
 
 TEST_F(ConvertPresetTest, EachSlotHoldsTheFaceThatTheTableSays) {
-  for (const Convention& program : kConventions) {
+  std::vector<Convention> programs(kConventions.begin(), kConventions.end());
+  programs.push_back({"krpano", kXExchanged, "upright", "", ""});
+  programs.push_back({"quake", kOurs, "", "", ""});
+  programs.push_back({"ogre", {"+X", "-X", "+Y", "-Y", "-Z", "+Z"}, "", "", ""});
+  for (const Convention& program : programs) {
     SCOPED_TRACE(program.name);
     succeed("convert --quiet uv --to cube --size 64 -o cube.ktx2 --for " + std::string(program.name));
     const ImageSet cube = texture("cube.ktx2");
@@ -93,7 +97,7 @@ TEST_F(ConvertPresetTest, UnrealsImagesAreTurnedIntoItsAxes) {
 TEST_F(ConvertPresetTest, EachPanoramaHasItsDirectionInTheMiddle) {
   std::vector<Convention> programs(kConventions.begin(), kConventions.end());
   programs.push_back({"blender", kOurs, "", "+X", "+Z"});
-  programs.push_back({"openexr", kOurs, "", "+Z", "-X"});
+  for (const char* name : {"openexr", "krpano", "quake", "ogre"}) programs.push_back({name, kOurs, "", "+Z", "-X"});
   for (const Convention& program : programs) {
     SCOPED_TRACE(program.name);
     succeed("convert --quiet uv --to equirect --size 256 -o map.exr --for " + std::string(program.name));

@@ -69,7 +69,9 @@ TEST_F(InfoTest, SaysWhatColourAFileStatesAndWhatWasDone) {
   EXPECT_THAT(succeed("info map.png"), HasSubstr("colour       sRGB\n"));
   std::string texels;
   for (int i = 0; i < 8; ++i) texels += "\x80\x80\x80\x81";
-  write("wide.hdr", "#?RADIANCE\nPRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n\n-Y 2 +X 4\n" + texels);
+  write(
+      "wide.hdr",
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nPRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n\n-Y 2 +X 4\n" + texels);
   EXPECT_THAT(succeed("info wide.hdr"),
               HasSubstr("colour       linear, primaries of the file (Rec.2020): converted\n"));
   write("xyz.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 4\n" + texels);

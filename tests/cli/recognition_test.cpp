@@ -71,6 +71,29 @@ TEST_F(RecognitionTest, APhotographOfACubesShapeIsDoubted) {
   EXPECT_THAT(run("info photo.exr").out, HasSubstr("mirrored writing"));
 }
 
+TEST_F(RecognitionTest, OneOfSixFacesIsToldWithTheOthersAndTheOtherReading) {
+  succeed("convert uv --to cube --layout faces --size 32 --for quake -o sky.exr");
+  for (const char* face : {"rt", "lf", "up", "dn", "ft", "bk"}) {
+    // As another program writes them: without metadata.
+    write("dust_" + std::string(face) + ".exr", image("sky_" + std::string(face) + ".exr"));
+  }
+  const auto by_name = run("convert dust_up.exr --to equirect --size 32 -o by_name.exr");
+  EXPECT_EQ(by_name.exit_code, 0);
+  EXPECT_THAT(by_name.err, HasSubstr("note: dust_up.exr: is read as one of the six faces of a cube, with dust_rt.exr, "
+                                     "dust_lf.exr, dust_dn.exr, dust_ft.exr and dust_bk.exr, as "
+                                     "faces:for=quake has them, and --from sphere names another form"));
+  succeed("convert sky_up.exr --to equirect --size 32 -o by_file.exr");
+  EXPECT_TRUE(bytes("by_name.exr") == bytes("by_file.exr"));
+  EXPECT_EQ(run("convert dust_up.exr --from faces:for=quake --to equirect --size 32 -o by_hint.exr").err, "");
+  EXPECT_TRUE(bytes("by_name.exr") == bytes("by_hint.exr"));
+  std::filesystem::remove(path("dust_rt.exr"));
+  EXPECT_THAT(refuse(1, "info dust_up.exr"), HasSubstr("without dust_rt.exr"));
+  for (const char* face : {"dn", "ft"}) std::filesystem::remove(path("dust_" + std::string(face) + ".exr"));
+  EXPECT_THAT(run("info dust_up.exr").err,
+              HasSubstr("dust_up.exr: is named like one of the six faces of a cube, of which "
+                        "dust_rt.exr, dust_dn.exr and dust_ft.exr are missing"));
+}
+
 TEST_F(RecognitionTest, InfoSaysWhetherMinusZStandsOnItsHead) {
   succeed("convert studio --to cube --layout vcross --size 64 -o told.png");
   const Image cross = readImage(path("told.png"))->image;
@@ -101,7 +124,7 @@ TEST_F(RecognitionTest, OneOfSixFacesStandsForTheCube) {
   EXPECT_EQ(formOf("room_ny.png"), "cube, faces (recognised by its name, one of six faces px nx py ny pz nz)");
   EXPECT_EQ(formOf("room_ny.png --from faces"), "cube, faces (recognised by --from)");
   std::filesystem::remove(path("room_nz.png"));
-  EXPECT_THAT(refuse(1, "info room_ny.png"), HasSubstr("room_nz.png: no such file"));
+  EXPECT_THAT(refuse(1, "info room_ny.png"), HasSubstr("without room_nz.png"));
 }
 
 }  // namespace

@@ -13,9 +13,11 @@ namespace {
 class ArrangedCube {
  public:
   ArrangedCube(const EnvironmentMap& cube, const CubeArrangement& arrangement) : cube_(cube) {
-    for (std::size_t face = 0; face < 6; ++face) {
-      assert(arrangement.slots[face].centre == static_cast<SignedAxis>(face));
-      from_image_[face] = faceFromImage(arrangement.slots[face]);
+    for (int slot = 0; slot < 6; ++slot) {
+      const FaceFrame& frame = arrangement.slots[static_cast<std::size_t>(slot)];
+      const auto face = static_cast<std::size_t>(frame.centre);
+      slot_of_[face] = slot;
+      from_image_[face] = faceFromImage(frame);
     }
   }
 
@@ -23,7 +25,8 @@ class ArrangedCube {
 
   float lightAt(int face, glm::ivec2 texel) const {
     const glm::ivec2 from = from_image_[static_cast<std::size_t>(face)].from(texel, side());
-    return std::max(formula::luminance(rgbAt(cube_.face(face), from.x, from.y)), 0.0f);
+    const Image& image = cube_.face(slot_of_[static_cast<std::size_t>(face)]);
+    return std::max(formula::luminance(rgbAt(image, from.x, from.y)), 0.0f);
   }
 
   /// The light of the texel that another face has in the direction where this one, continued, would have `texel`.
@@ -36,6 +39,7 @@ class ArrangedCube {
 
  private:
   const EnvironmentMap& cube_;
+  FaceOrder slot_of_{};
   std::array<SquareSymmetry, 6> from_image_;
 };
 
@@ -67,7 +71,7 @@ bool EdgeFit::isClearlyBetterThan(const EdgeFit& other) const {
 }
 
 EdgeFit edgeFit(const EnvironmentMap& cube, const CubeArrangement& arrangement) {
-  assert(cube.faces() == 6);
+  assert(cube.faces() == 6 && isComplete(arrangement));
   constexpr int kPlaces = 128;  // along an edge
   constexpr int kStretchesOfEdge = 8;
   const ArrangedCube faces(cube, arrangement);

@@ -26,7 +26,7 @@ struct EdgeFit {
 };
 
 /// cube         of a projection with six faces
-/// arrangement  of its faces, each in its own slot: how the faces would lie if they were images so arranged
+/// arrangement  how they lie if the cube's faces are images by slots; by default they are its faces
 /// cost         some thousand texels
 EdgeFit edgeFit(const EnvironmentMap& cube, const CubeArrangement& arrangement = {});
 

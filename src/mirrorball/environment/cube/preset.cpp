@@ -24,12 +24,17 @@ constexpr auto kAliases = std::to_array<Alias>({{"gl", "opengl"},
                                                 {"babylonjs", "babylon"},
                                                 {"babylon.js", "babylon"},
                                                 {"pc", "playcanvas"},
-                                                {"glb", "gltf"}});
+                                                {"glb", "gltf"},
+                                                {"source", "quake"},
+                                                {"goldsrc", "quake"},
+                                                {"marzipano", "krpano"},
+                                                {"pano2vr", "krpano"},
+                                                {"photo-sphere-viewer", "krpano"}});
 
 /// OpenGL's table in the axes by which a program looks its cubes up.
 CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }
 
-const std::array<Preset, 14>& table() {
+const std::array<Preset, 17>& table() {
   using enum SignedAxis;
   const CubeArrangement ours;
   // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the
@@ -38,7 +43,7 @@ const std::array<Preset, 14>& table() {
   // (ConversionUtilities.h) to (x, z, y).
   const CubeArrangement x_mirrored = tableIn({.x = minus_x});
   const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
-  static const std::array<Preset, 14> presets{{
+  static const std::array<Preset, 17> presets{{
       {"opengl", "OpenGL", ours, plus_z, CubeLayout::faces},
       {"vulkan", "Vulkan", ours, plus_z, CubeLayout::faces},
       {"directx", "Direct3D", ours, plus_z, CubeLayout::faces},
@@ -81,6 +86,23 @@ const std::array<Preset, 14>& table() {
                          {plus_z, minus_x, minus_y},
                          {minus_z, plus_x, minus_y}}}},
        plus_z, CubeLayout::vstrip, FaceNaming::signs, true, true},
+      // Quake III, tr_sky.c: sky_texorder, st_to_vec and MakeSkyVec, the same as in Quake II (gl_warp.c); the suffixes
+      // in tr_shader.c. Its (x, y, z) is our (x, z, -y): rt is in +x, lf in -x, bk in +y and ft in -y, each as an eye
+      // sees it, which has rt at the left of ft. GoldSrc and Source have kept it (vbsp/cubemap.cpp).
+      {"quake", "Quake",
+       CubeArrangement{{{{plus_x, plus_z, minus_y},
+                         {minus_x, minus_z, minus_y},
+                         {plus_y, plus_z, plus_x},
+                         {minus_y, plus_z, minus_x},
+                         {plus_z, minus_x, minus_y},
+                         {minus_z, plus_x, minus_y}}}},
+       plus_z, CubeLayout::faces, FaceNaming::quake},
+      // Its documentation of <image>: the sides l f r b u d, as an eye sees them that looks along f, with u above it and
+      // d below; panoramas with f in their middle. Marzipano, Pannellum and Photo Sphere Viewer read the same images.
+      {"krpano", "krpano", x_mirrored, plus_z, CubeLayout::faces, FaceNaming::letters},
+      // OgreTextureUnitState.cpp, setCubicTextureName; OgreSceneManager.cpp, createSkyboxPlane: fr is in -z, the others
+      // around it as an eye sees them.
+      {"ogre", "OGRE", tableIn({.z = minus_z}), plus_z, CubeLayout::faces, FaceNaming::ogre},
   }};
   return presets;
 }

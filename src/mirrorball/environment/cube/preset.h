@@ -35,7 +35,7 @@ struct Preset {
 std::optional<std::string> importedInstead(const Preset& preset, Projection projection, std::string_view extension);
 
 /// opengl, vulkan, directx, unity, unreal, godot, filament, three, babylon, playcanvas, gltf, blender, renderman,
-/// openexr
+/// openexr, quake, krpano, ogre
 std::span<const Preset> presets();
 
 /// Their names, in that order.

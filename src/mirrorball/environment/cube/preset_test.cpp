@@ -46,6 +46,34 @@ TEST(Preset, ACubeAnswersByTheProgramsLookUp) {
   expectLookUp("unity", x_mirrored);
   for (const std::string_view name : {"three", "babylon", "playcanvas"}) expectLookUp(name, x_mirrored);
   expectLookUp("unreal", z_up);
+  expectLookUp("krpano", x_mirrored);
+  expectLookUp("ogre", glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1)));
+}
+
+// MakeSkyVec of Quake III's tr_sky.c: a place (s, t) in [-1, 1]², t upwards, of each side of the sky.
+TEST(Preset, AnImageOfQuakesSkyIsWhereMakeSkyVecPutsIt) {
+  struct Side {
+    int slot;       // of rt lf up dn ft bk
+    int places[3];  // st_to_vec: 1 = s, 2 = t, 3 = 1
+  };
+  constexpr Side kSides[] = {{0, {3, -1, 2}},  {1, {-3, 1, 2}},  {5, {1, 3, 2}},
+                             {4, {-1, -3, 2}}, {2, {-2, -1, 3}}, {3, {2, -1, -3}}};
+  constexpr int kSide = 64;
+  const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 128), Projection::cube, kSide);
+  const ImageSet images = imagesOf(cube, *formFor(*presetNamed("quake"), Projection::cube, CubeLayout::faces));
+  for (const Side& side : kSides)
+    for (const glm::ivec2 texel : {glm::ivec2(3, 5), glm::ivec2(60, 20), glm::ivec2(31, 62)}) {
+      const glm::vec2 st = (glm::vec2(texel) + 0.5f) / float(kSide) * 2.0f - 1.0f;
+      const glm::vec3 places(st.x, -st.y, 1.0f);  // row 0 is on top
+      glm::vec3 quake;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int place = side.places[axis];
+        quake[axis] = place < 0 ? -places[-place - 1] : places[place - 1];
+      }
+      const glm::vec3 ours = glm::normalize(glm::vec3(quake.x, quake.z, -quake.y));
+      EXPECT_LT(glm::length(rgbAt(images.at(0, side.slot), texel.x, texel.y) - testing::smoothRadiance(ours)), 2e-2f)
+          << side.slot;
+    }
 }
 
 // The formulas are those of the sources in docs/conventions.md, with each program's axes written in ours.

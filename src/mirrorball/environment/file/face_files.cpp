@@ -13,30 +13,73 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::array<std::string_view, 6>, 5> kEndings{{
-    {"px", "nx", "py", "ny", "pz", "nz"},
-    {"posx", "negx", "posy", "negy", "posz", "negz"},
-    {"right", "left", "top", "bottom", "front", "back"},
-    {"right", "left", "up", "down", "front", "back"},
-    {"+X", "-X", "+Y", "-Y", "+Z", "-Z"},
-}};
-constexpr std::array<FaceNaming, kEndings.size()> kNamings{FaceNaming::px, FaceNaming::posx, FaceNaming::top,
-                                                           FaceNaming::up, FaceNaming::signs};
+/// From how many of six files on they are taken for a cube, some of which is missing: a stereo pair is two pictures.
+constexpr int kMostOfSix = 4;
+
+struct NamingTraits {
+  FaceNaming naming;
+  std::array<std::string_view, 6> endings;
+  std::string_view reading = {};  ///< words for --from faces:
+  bool joins = false;             ///< needs no character between a name and the ending
+  bool is_common = false;
+};
+
+/// "As an eye sees them, the right one on the right of the front one": krpano's preset says that.
+constexpr std::string_view kAsSeen = "for=krpano";
+/// The same, in the order front, right, back, left, up, down (Pano2VR, erect2cubic).
+constexpr std::string_view kAround = "for=krpano,order=+z+x-z-x+y-y";
+
+/// In the order of FaceNaming. docs/conventions.md has the sources.
+constexpr auto kNamings = std::to_array<NamingTraits>({
+    {FaceNaming::px, {"px", "nx", "py", "ny", "pz", "nz"}},
+    {FaceNaming::posx, {"posx", "negx", "posy", "negy", "posz", "negz"}},
+    {FaceNaming::pos_x, {"pos_x", "neg_x", "pos_y", "neg_y", "pos_z", "neg_z"}},
+    {FaceNaming::xpos, {"xpos", "xneg", "ypos", "yneg", "zpos", "zneg"}},
+    {FaceNaming::signs, {"+X", "-X", "+Y", "-Y", "+Z", "-Z"}, "", true},
+    {FaceNaming::top, {"right", "left", "top", "bottom", "front", "back"}},
+    {FaceNaming::up, {"right", "left", "up", "down", "front", "back"}},
+    {FaceNaming::forward, {"right", "left", "up", "down", "forward", "back"}, kAsSeen},
+    {FaceNaming::quake, {"rt", "lf", "up", "dn", "ft", "bk"}, "for=quake", true},
+    {FaceNaming::ogre, {"rt", "lf", "up", "dn", "fr", "bk"}, "for=ogre"},
+    {FaceNaming::unity, {"Right-X", "Left+X", "Up+Y", "Down-Y", "Front+Z", "Back-Z"}, "as-seen"},
+    {FaceNaming::unity_cameras,
+     {"Cam_3_Right-X", "Cam_2_Left+X", "Cam_4_Up+Y", "Cam_5_Down-Y", "Cam_0_Front+Z", "Cam_1_Back-Z"},
+     "as-seen"},
+    {FaceNaming::c00, {"c00", "c01", "c02", "c03", "c04", "c05"}},
+    {FaceNaming::face0, {"face0", "face1", "face2", "face3", "face4", "face5"}},
+    {FaceNaming::letters, {"r", "l", "u", "d", "f", "b"}, kAsSeen, false, true},
+    {FaceNaming::from_0, {"0", "1", "2", "3", "4", "5"}, "", false, true},
+    {FaceNaming::from_1, {"1", "2", "3", "4", "5", "6"}, kAround, false, true},
+    {FaceNaming::from_00, {"00", "01", "02", "03", "04", "05"}, "", false, true},
+    {FaceNaming::from_0000, {"0000", "0001", "0002", "0003", "0004", "0005"}, kAround, true, true},
+});
 constexpr std::string_view kSeparators = "_-. ";
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
+constexpr bool isInOrder() {
+  for (std::size_t i = 0; i < kNamings.size(); ++i)
+    if (static_cast<std::size_t>(kNamings[i].naming) != i) return false;
+  return true;
 }
+static_assert(isInOrder());
 
-/// What stands before the ending that a stem has in a naming: "room_" of "room_PX".
-std::optional<std::string> baseOf(const std::string& stem, FaceNaming naming) {
-  for (const std::string_view ending : endingsOf(naming)) {
-    if (!lowered(stem).ends_with(lowered(ending))) continue;
+const NamingTraits& findTraits(FaceNaming naming) { return kNamings[static_cast<std::size_t>(naming)]; }
+
+/// "room_" of "room_PX".
+struct FaceBase {
+  std::string text;
+  bool is_apart;    ///< the ending is the whole name, or stands behind a separator
+  bool is_capital;  ///< the ending is written in capital letters
+};
+
+std::optional<FaceBase> splitEnding(const std::string& stem, const NamingTraits& naming) {
+  for (const std::string_view ending : naming.endings) {
+    if (!lowerCase(stem).ends_with(lowerCase(ending))) continue;
     const std::string base = stem.substr(0, stem.size() - ending.size());
+    const std::string_view written = std::string_view(stem).substr(base.size());
     const bool is_apart = base.empty() || kSeparators.find(base.back()) != std::string_view::npos;
-    if (is_apart || naming == FaceNaming::signs) return base;
+    const bool is_capital =
+        std::none_of(written.begin(), written.end(), [](unsigned char c) { return std::islower(c); });
+    if (is_apart || naming.joins) return FaceBase{base, is_apart, is_capital && written != ending};
   }
   return std::nullopt;
 }
@@ -44,81 +87,108 @@ std::optional<std::string> baseOf(const std::string& stem, FaceNaming naming) {
 /// The files of a folder by their names in small letters.
 using Listing = std::map<std::string, fs::path>;
 
-Listing listingOf(const fs::path& folder) {
+Listing readListing(const fs::path& folder) {
   Listing listing;
   std::error_code error;
   for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
        entry.increment(error))
-    listing.emplace(lowered(entry->path().filename().string()), folder / entry->path().filename());
+    listing.emplace(lowerCase(entry->path().filename().string()), folder / entry->path().filename());
   return listing;
 }
 
-/// The six files of a naming: as they are spelled beside the named one, or however they are in the folder.
-FaceFiles filesOf(const fs::path& file, const std::string& base, FaceNaming naming, const Listing& listing) {
-  FaceFiles files{{}, naming, 0};
+std::string upperCase(std::string_view text) {
+  std::string upper(text);
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  return upper;
+}
+
+/// The six files of a naming as they are spelled beside the named one.
+FaceFiles spelledLike(const fs::path& file, const FaceBase& base, const NamingTraits& naming) {
+  FaceFiles files{{}, naming.naming, 0};
+  std::error_code error;
   for (std::size_t face = 0; face < files.paths.size(); ++face) {
-    const std::string name = base + std::string(endingsOf(naming)[face]) + file.extension().string();
+    const std::string_view ending = naming.endings[face];
+    const std::string name =
+        base.text + (base.is_capital ? upperCase(ending) : std::string(ending)) + file.extension().string();
     files.paths[face] = file.parent_path() / name;
-    std::error_code error;
-    const auto listed = listing.find(lowered(name));
-    if (!fs::exists(files.paths[face], error) && listed != listing.end()) files.paths[face] = listed->second;
     files.present += fs::exists(files.paths[face], error) ? 1 : 0;
   }
   return files;
 }
 
-std::optional<FaceFiles> filesNamedLike(const fs::path& file, const Listing& listing) {
+/// Takes files that are missing however else they are spelled in the folder.
+void findInAnyCase(FaceFiles& files, const Listing& listing) {
+  std::error_code error;
+  for (fs::path& path : files.paths) {
+    if (fs::exists(path, error)) continue;
+    const auto listed = listing.find(lowerCase(path.filename().string()));
+    if (listed == listing.end()) continue;
+    path = listed->second;
+    ++files.present;
+  }
+}
+
+/// listing   of the file's folder; nullptr where it has not been read, which takes long in a large one
+std::optional<FaceFiles> filesNamedLike(const fs::path& file, const Listing* listing) {
+  std::optional<Listing> read;
   std::optional<FaceFiles> best;
-  for (const FaceNaming naming : kNamings) {
-    const auto base = baseOf(file.stem().string(), naming);
+  for (const NamingTraits& naming : kNamings) {
+    const auto base = splitEnding(file.stem().string(), naming);
     if (!base) continue;
-    FaceFiles files = filesOf(file, *base, naming, listing);
-    if (!best || files.present > best->present) best = std::move(files);
+    FaceFiles files = spelledLike(file, *base, naming);
+    if (files.present < 6 && !naming.is_common) {
+      if (!listing && !read) read = readListing(file.parent_path());
+      findInAnyCase(files, listing ? *listing : *read);
+    }
+    const bool needs_others = !base->is_apart && naming.naming != FaceNaming::signs;
+    const int needed = naming.is_common ? 6 : needs_others ? kMostOfSix : 0;
+    if (files.present >= needed && (!best || files.present > best->present)) best = std::move(files);
   }
   return best;
 }
 
-/// "room_nz.exr"
-std::string missingOf(const FaceFiles& files) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const fs::path& path : files.paths)
-    if (!fs::exists(path, error)) names.push_back(path.filename().string());
-  return join(names, ", ", " and ");
-}
-
 }  // namespace
 
-const std::array<std::string_view, 6>& endingsOf(FaceNaming naming) {
-  return kEndings[static_cast<std::size_t>(naming)];
-}
+const std::array<std::string_view, 6>& endingsOf(FaceNaming naming) { return findTraits(naming).endings; }
 
 std::string textOf(FaceNaming naming) { return join(endingsOf(naming), " "); }
 
-std::optional<FaceFiles> faceFilesBeside(const fs::path& file) {
-  const bool ends_like_a_face = std::any_of(kNamings.begin(), kNamings.end(), [&](FaceNaming naming) {
-    return baseOf(file.stem().string(), naming).has_value();
-  });
-  if (!ends_like_a_face) return std::nullopt;
-  return filesNamedLike(file, listingOf(file.parent_path()));
+std::string usualReading(FaceNaming naming) {
+  const std::string_view reading = findTraits(naming).reading;
+  return reading.empty() ? "faces" : "faces:" + std::string(reading);
+}
+
+bool isCommon(FaceNaming naming) { return findTraits(naming).is_common; }
+
+std::optional<FaceFiles> faceFilesBeside(const fs::path& file) { return filesNamedLike(file, nullptr); }
+
+std::string listFaces(const FaceFiles& files, bool exist, const fs::path& but) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::path& path : files.paths)
+    if (fs::exists(path, error) == exist && path != but) names.push_back(path.filename().string());
+  return join(names, ", ", " and ");
 }
 
 Result<FaceFiles> faceFilesIn(const fs::path& folder) {
-  const Listing listing = listingOf(folder);
+  const Listing listing = readListing(folder);
   std::vector<FaceFiles> cubes;
   std::optional<FaceFiles> nearly;
   for (const auto& [name, path] : listing) {
-    auto files = filesNamedLike(path, listing);
+    auto files = filesNamedLike(path, &listing);
     const auto is_same = [&](const FaceFiles& other) { return other.paths == files->paths; };
     if (files && files->present == 6 && std::none_of(cubes.begin(), cubes.end(), is_same))
       cubes.push_back(std::move(*files));
-    else if (files && files->present > 3 && (!nearly || files->present > nearly->present))
+    else if (files && files->present >= kMostOfSix && (!nearly || files->present > nearly->present))
       nearly = std::move(*files);
   }
+  // Six numbered pictures beside a cube are not a second one.
+  const auto is_common = [](const FaceFiles& files) { return isCommon(files.naming); };
+  if (!std::all_of(cubes.begin(), cubes.end(), is_common)) std::erase_if(cubes, is_common);
   if (cubes.size() == 1) return std::move(cubes[0]);
   if (cubes.empty() && nearly)
     return fail(ErrorCode::not_found, folder.string() + ": holds " + std::to_string(nearly->present) +
-                                          " of the six files of a cube, without " + missingOf(*nearly));
+                                          " of the six files of a cube, without " + listFaces(*nearly, false));
   if (cubes.empty())
     return fail(ErrorCode::not_found, folder.string() +
                                           ": is a folder without the six files of a cube, such as px nx "

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mirrorball/base/text.h"
+
 namespace mirrorball {
 namespace {
 
@@ -43,6 +45,71 @@ TEST_F(FaceFilesTest, EveryNamingIsKnown) {
             "sky.right.png sky.left.png sky.up.png sky.down.png sky.front.png sky.back.png");
   EXPECT_EQ(facesBeside("room-Y.exr"), "room+X.exr room-X.exr room+Y.exr room-Y.exr room+Z.exr room-Z.exr");
   EXPECT_EQ(textOf(faceFilesBeside("nz.hdr")->naming), "px nx py ny pz nz");
+}
+
+TEST_F(FaceFilesTest, NamesOfEnginesAreKnown) {
+  EXPECT_EQ(facesBeside("cube_neg_y.png"),
+            "cube_pos_x.png cube_neg_x.png cube_pos_y.png cube_neg_y.png cube_pos_z.png cube_neg_z.png");
+  EXPECT_EQ(facesBeside("sky_xneg.jpg"),
+            "sky_xpos.jpg sky_xneg.jpg sky_ypos.jpg sky_yneg.jpg sky_zpos.jpg sky_zneg.jpg");
+  EXPECT_EQ(facesBeside("env_ft.tga"), "env_rt.tga env_lf.tga env_up.tga env_dn.tga env_ft.tga env_bk.tga");
+  EXPECT_EQ(facesBeside("sky.fr.png"), "sky.rt.png sky.lf.png sky.up.png sky.dn.png sky.fr.png sky.bk.png");
+  EXPECT_EQ(facesBeside("cube_m00_c05.jpg"),
+            "cube_m00_c00.jpg cube_m00_c01.jpg cube_m00_c02.jpg cube_m00_c03.jpg cube_m00_c04.jpg cube_m00_c05.jpg");
+  EXPECT_EQ(facesBeside("a_face0.png"), "a_face0.png a_face1.png a_face2.png a_face3.png a_face4.png a_face5.png");
+  EXPECT_EQ(usualReading(faceFilesBeside("a_px.png")->naming), "faces");
+  EXPECT_EQ(usualReading(faceFilesBeside("a_ft.png")->naming), "faces:for=quake");
+  EXPECT_EQ(usualReading(faceFilesBeside("a_fr.png")->naming), "faces:for=ogre");
+  EXPECT_EQ(usualReading(faceFilesBeside("a_forward.png")->naming), "faces:for=krpano");
+}
+
+TEST_F(FaceFilesTest, UnitysFacesHaveTheirDirectionAndCameraInTheirNames) {
+  const std::vector<std::string> faces{"Cold_Cam_3_Right-X.png", "Cold_Cam_2_Left+X.png",  "Cold_Cam_4_Up+Y.png",
+                                       "Cold_Cam_5_Down-Y.png",  "Cold_Cam_0_Front+Z.png", "Cold_Cam_1_Back-Z.png"};
+  touch(faces);
+  for (const std::string& face : faces) EXPECT_EQ(facesBeside(face), join(faces, " "));
+  EXPECT_EQ(usualReading(faceFilesBeside(folder_ / faces[0])->naming), "faces:as-seen");
+}
+
+TEST_F(FaceFilesTest, QuakesEndingsNeedNoSeparatorWhereTheOthersAre) {
+  EXPECT_EQ(facesBeside("dustrt.tga"), "");
+  touch({"dustrt.tga", "dustlf.tga", "dustup.tga", "dustdn.tga", "dustft.tga", "DUSTBK.TGA"});
+  EXPECT_EQ(facesBeside("dustup.tga"), "dustrt.tga dustlf.tga dustup.tga dustdn.tga dustft.tga DUSTBK.TGA");
+}
+
+TEST_F(FaceFilesTest, LettersAndNumbersAreFacesWhereAllSixAre) {
+  touch({"p_f.jpg", "p_r.jpg", "p_b.jpg", "p_l.jpg", "p_u.jpg"});
+  EXPECT_EQ(facesBeside("p_f.jpg"), "");
+  touch({"p_d.jpg"});
+  EXPECT_EQ(facesBeside("p_f.jpg"), "p_r.jpg p_l.jpg p_u.jpg p_d.jpg p_f.jpg p_b.jpg");
+  touch({"P-R.JPG", "P-L.JPG", "P-U.JPG", "P-D.JPG", "P-F.JPG", "P-B.JPG"});
+  EXPECT_EQ(facesBeside("P-U.JPG"), "P-R.JPG P-L.JPG P-U.JPG P-D.JPG P-F.JPG P-B.JPG");
+  touch({"c_1.png", "c_2.png", "c_3.png", "c_4.png", "c_5.png"});
+  EXPECT_EQ(facesBeside("c_1.png"), "");
+  touch({"c_6.png"});
+  EXPECT_EQ(facesBeside("c_1.png"), "c_1.png c_2.png c_3.png c_4.png c_5.png c_6.png");
+  EXPECT_TRUE(isCommon(faceFilesBeside(folder_ / "c_1.png")->naming));
+  touch({"c_0.png"});
+  EXPECT_EQ(facesBeside("c_0.png"), "c_0.png c_1.png c_2.png c_3.png c_4.png c_5.png");
+  EXPECT_EQ(facesBeside("c_6.png"), "c_1.png c_2.png c_3.png c_4.png c_5.png c_6.png");
+  touch({"cube0000.tif", "cube0001.tif", "cube0002.tif", "cube0003.tif", "cube0004.tif", "cube0005.tif"});
+  EXPECT_EQ(facesBeside("cube0003.tif"),
+            "cube0000.tif cube0001.tif cube0002.tif cube0003.tif cube0004.tif cube0005.tif");
+}
+
+TEST_F(FaceFilesTest, SixNumberedPicturesBesideACubeAreNoSecondOne) {
+  touch({"px.jpg", "nx.jpg", "py.jpg", "ny.jpg", "pz.jpg", "nz.jpg"});
+  touch({"v_1.jpg", "v_2.jpg", "v_3.jpg", "v_4.jpg", "v_5.jpg", "v_6.jpg"});
+  const auto files = faceFilesIn(folder_);
+  ASSERT_TRUE(files) << files.error().message;
+  EXPECT_EQ(files->paths[5], folder_ / "nz.jpg");
+}
+
+TEST_F(FaceFilesTest, ThoseThatExistAndThoseThatDoNotAreNamed) {
+  touch({"a_px.jpg", "a_nx.jpg", "a_py.jpg", "a_pz.jpg"});
+  const FaceFiles files = *faceFilesBeside(folder_ / "a_py.jpg");
+  EXPECT_EQ(listFaces(files, true, folder_ / "a_py.jpg"), "a_px.jpg, a_nx.jpg and a_pz.jpg");
+  EXPECT_EQ(listFaces(files, false), "a_ny.jpg and a_nz.jpg");
 }
 
 TEST_F(FaceFilesTest, ANameThatOnlyEndsInTheseLettersIsNoFace) {

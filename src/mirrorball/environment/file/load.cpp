@@ -86,19 +86,19 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
     return FormDoubt{};
   };
   MapForm form = recognition.form;
-  const auto [arrangement, fit] = readByEdges(map, arrangementsIn(form.layout));
-  form.arrangement = arrangement;
+  const FaceReading reading = readByEdges(map, arrangementsIn(form.layout));
+  form.arrangement = reading.arrangement;
   if (form.arrangement != recognition.form.arrangement) {
     MIRRORBALL_TRY(other, other_map(form));
     return take(form, std::move(other));
   }
-  if (fit.meets()) return FormDoubt{};
+  if (reading.fit.meets()) return FormDoubt{};
   if (form.layout == CubeLayout::hcross) {
     form.layout = CubeLayout::lecture;
     MIRRORBALL_TRY(other, other_map(form));
     if (edgeFit(other).meets()) return take(form, std::move(other));
   }
-  return fit.jumps() ? doubtOf(recognition) : FormDoubt{};
+  return reading.fit.jumps() ? doubtOf(recognition) : FormDoubt{};
 }
 
 /// Takes six images that do not say how they lie as their edges tell.
@@ -106,11 +106,11 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
 /// arrangements  that are possible: first that of `recognition`
 FormDoubt settleFaces(const EnvironmentMap& images, std::span<const CubeArrangement> arrangements,
                       Recognition& recognition) {
-  const auto [arrangement, fit] = readByEdges(images, arrangements);
-  if (arrangement != recognition.form.arrangement) {
-    recognition.form.arrangement = arrangement;
+  const FaceReading reading = readByEdges(images, arrangements);
+  if (reading.arrangement != recognition.form.arrangement) {
+    recognition.form.arrangement = reading.arrangement;
     recognition.told_by += ", and how its edges meet";
-  } else if (fit.jumps()) {
+  } else if (reading.fit.jumps()) {
     return doubtOf(recognition);
   }
   return {};
@@ -124,10 +124,10 @@ Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::strin
                                  bool is_numbered = false) {
   const Projection projection = recognition.form.projection;
   if (faceCount(projection) != 6)
-    return fail(ErrorCode::bad_shape,
-                "has the six faces of a cube, and a map of projection " + std::string(nameOf(projection)) +
-                    " is one picture",
-                FixHint::name_form_of_cube);
+    return fail(
+        ErrorCode::bad_shape,
+        "has the six faces of a cube, and a map of projection " + std::string(nameOf(projection)) + " is one picture",
+        FixHint::name_form_of_cube);
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
   FormDoubt doubt;
@@ -157,20 +157,21 @@ Result<void> checkFace(const Image& face, const Image& first) {
   return {};
 }
 
-/// What is said of six files that do not say that they are a cube, nor how they lie.
+/// The remark on six files that do not state that they are a cube, nor how they lie.
 ///
 /// name     that of one of them, or of their folder
 FormDoubt doubtOfFaces(const std::string& name, const FaceFiles& files, const CubeArrangement& arrangement) {
   const auto mirrored = mirrorReading(arrangement);
-  const std::string others = namesOf(files, true, name);
+  const std::string others = listFaces(files, true, name);
   const bool is_one = std::find(files.paths.begin(), files.paths.end(), fs::path(name)) != files.paths.end();
   FormDoubt doubt;
-  doubt.message = is_one ? "is read as one of the six faces of a cube, with " + others
-                         : "holds the six faces of a cube, " + others;
-  doubt.message += ", arranged as " + facesHintOf(arrangement);
+  doubt.message =
+      is_one ? "is read as one of the six faces of a cube, with " + others : "holds the six faces of a cube, " + others;
+  doubt.message +=
+      arrangement == CubeArrangement{} ? ", by OpenGL's table" : ", as " + hintForFaces(arrangement) + " has them";
   if (mirrored) {
     doubt.message += "; their edges meet in the mirrored world, too";
-    doubt.other_forms.push_back(facesHintOf(*mirrored));
+    doubt.other_forms.push_back(hintForFaces(*mirrored));
   }
   if (is_one) doubt.other_forms.emplace_back("sphere");
   return doubt;
@@ -194,7 +195,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
       metadata = std::move(decoded.metadata);
       recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
       if (recognition.is_guess) {
-        MIRRORBALL_TRY(by_name, formHintNamed(readingOf(files.naming)));
+        MIRRORBALL_TRY(by_name, formHintNamed(usualReading(files.naming)));
         recognition.form.arrangement = by_name.arrangement;
       }
     }
@@ -207,9 +208,9 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     for (const std::string& oddity : decoded.oddities)
       oddities.push_back(fs::path(path).filename().string() + " " + oddity);
   }
-  MIRRORBALL_TRY(loaded, withName(name, cubeOf(std::move(images), std::move(format), std::move(color),
-                                               std::move(metadata), std::move(recognition), bad, options,
-                                               isCommon(files.naming))));
+  MIRRORBALL_TRY(loaded,
+                 withName(name, cubeOf(std::move(images), std::move(format), std::move(color), std::move(metadata),
+                                       std::move(recognition), bad, options, isCommon(files.naming))));
   if (loaded.recognition->is_guess && loaded.doubt.message.empty())
     loaded.doubt = doubtOfFaces(name, files, loaded.recognition->form.arrangement);
   loaded.lacks_gain_map = lacks_gain_map;
@@ -289,9 +290,48 @@ Result<LoadedEnvironment> loadCubeTexture(DecodedImageSet texture, const Environ
 /// A texture of one face.
 Result<LoadedEnvironment> loadPictureTexture(DecodedImageSet texture, const EnvironmentLoadOptions& options) {
   std::string format = texture.format + restOf(texture.images);
-  return loadPicture(
-      {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
-      std::nullopt, options);
+  return loadPicture({.image = std::move(texture.images.at(0, 0)),
+                      .metadata = std::move(texture.metadata),
+                      .format = std::move(format),
+                      .color = std::move(texture.color),
+                      .oddities = std::move(texture.oddities)},
+                     std::nullopt, options);
+}
+
+bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }
+
+/// Some writers store the faces of a cube as the layers of an array (SiegeEngine/ddsfile#10).
+bool mayBeCubeInLayers(const DecodedImageSet& texture, const FormHint& from) {
+  const Image& first = texture.images.at(0, 0);
+  const auto says_more = [](const auto& entry) { return entry.first.starts_with("mirrorball:"); };
+  return texture.images.faces() == 1 && texture.images.layers() == 6 && first.width() == first.height() &&
+         mayBeCube(from) && from.layout.value_or(CubeLayout::faces) == CubeLayout::faces &&
+         std::none_of(texture.metadata.begin(), texture.metadata.end(), says_more);
+}
+
+/// The cube in six layers, if the caller names one or their edges meet; else the texture gets a remark.
+Result<std::optional<LoadedEnvironment>> loadCubeInLayers(DecodedImageSet& texture,
+                                                          const EnvironmentLoadOptions& options) {
+  ImageSet faces(1, 6);
+  for (int slot = 0; slot < 6; ++slot) faces.at(0, slot) = texture.images.at(0, 0, slot);
+  if (!options.from.projection && !options.from.layout) {
+    EnvironmentMap by_slots(Projection::cube, std::move(faces));
+    if (!readByEdges(by_slots, possibleArrangements({})).is_proved) {
+      texture.oddities.emplace_back(
+          "is an array of six pictures, which do not meet as the faces of a cube: the first is read");
+      return std::nullopt;
+    }
+    faces = std::move(by_slots).takeImages();
+  }
+  MIRRORBALL_TRY(loaded, loadCubeTexture({.images = std::move(faces),
+                                          .metadata = texture.metadata,
+                                          .format = texture.format,
+                                          .color = texture.color,
+                                          .oddities = texture.oddities},
+                                         options));
+  if (loaded.recognition->is_guess && loaded.doubt.message.empty())
+    loaded.doubt = {"is an array of six pictures, whose edges meet as those of a cube: read as its faces", {"sphere"}};
+  return loaded;
 }
 
 Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes, const EnvironmentLoadOptions& options,
@@ -303,6 +343,10 @@ Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes,
   if (!options.from.layer.empty())
     return fail(ErrorCode::not_found, "is a texture, and has no layer '" + excerpt(options.from.layer) + "'");
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
+  if (mayBeCubeInLayers(texture, options.from)) {
+    MIRRORBALL_TRY(cube, loadCubeInLayers(texture, options));
+    if (cube) return std::move(*cube);
+  }
   const int levels = texture.images.levels();
   auto loaded = texture.images.faces() == 6 ? loadCubeTexture(std::move(texture), options)
                                             : loadPictureTexture(std::move(texture), options);
@@ -324,7 +368,33 @@ void tellOddities(const std::string& name, const std::vector<std::string>& oddit
     observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
-bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }
+/// Tells of a square picture that it has the name of a face, without enough of the others.
+void tellOfMissingFaces(const std::string& path, LoadedEnvironment& loaded) {
+  const Recognition& recognition = *loaded.recognition;
+  if (recognition.form.projection != Projection::sphere || !recognition.told_by.starts_with("its shape")) return;
+  const auto files = faceFilesBeside(path);
+  if (files && !isCommon(files->naming))
+    loaded.oddities.push_back("is named like one of the six faces of a cube, of which " + listFaces(*files, false) +
+                              (files->present == 5 ? " is" : " are") + " missing: read alone, as a sphere map");
+}
+
+/// The cube of which a file is one face; nothing where the six are only named alike.
+Result<std::optional<LoadedEnvironment>> loadCubeAround(const std::string& path,
+                                                        const EnvironmentLoadOptions& options) {
+  const auto files = cubeFilesOf(path, options.from);
+  if (!files) return std::nullopt;
+  if (files->present < 6)
+    return fail(
+        ErrorCode::not_found,
+        path + ": is one of the six faces of a cube, without " + listFaces(*files, false) + "; put all in one folder",
+        FixHint::name_form);
+  auto loaded = loadFaces(path, *files, options);
+  if (isCommon(files->naming) && options.from.layout != CubeLayout::faces &&
+      !(loaded && readByEdges(*loaded->environment.map(), possibleArrangements({})).is_proved))
+    return std::nullopt;
+  if (!loaded) return fail(std::move(loaded));
+  return std::move(*loaded);
+}
 
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                      const ProgressFunction& progress) {
@@ -342,13 +412,16 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
     MIRRORBALL_TRY(files, faceFilesIn(fs::path(name_or_path)));
     return loadFaces(name_or_path, files, options);
   }
-  if (const auto files = cubeFilesOf(name_or_path, options.from)) return loadFaces(name_or_path, *files, options);
+  MIRRORBALL_TRY(cube, loadCubeAround(name_or_path, options));
+  if (cube) return std::move(*cube);
   if (options.from.layout == CubeLayout::faces)
     return fail(ErrorCode::usage, name_or_path +
                                       ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz "
                                       "or as docs/conventions.md says");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
-  return loadFile(name_or_path, options, progress);
+  MIRRORBALL_TRY(loaded, loadFile(name_or_path, options, progress));
+  tellOfMissingFaces(name_or_path, loaded);
+  return loaded;
 }
 
 }  // namespace
@@ -411,7 +484,7 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
                                                  const EnvironmentLoadOptions& options) {
   std::error_code status;
   if (options.repair || !options.light.areNone() || !fs::is_regular_file(name_or_path, status) ||
-      faceFilesBeside(name_or_path))
+      cubeFilesOf(name_or_path, options.from))
     return std::nullopt;
   MIRRORBALL_TRY(rows, openRows(name_or_path, {.layer = options.from.layer}));
   if (!rows) return std::nullopt;

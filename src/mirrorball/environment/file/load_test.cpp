@@ -208,7 +208,8 @@ TEST_F(LoadTest, SixFacesAreOneCube) {
   ASSERT_TRUE(writeImage(path("a_nz.exr"), Image(5, 5, 3)));
   EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, StartsWith(path("a_nz.exr: is 5x5")));
   fs::remove(path("a_ny.exr"));
-  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_ny.exr: no such file"));
+  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message,
+              HasSubstr("is one of the six faces of a cube, without a_ny.exr; put all in one folder"));
   EXPECT_EQ(loadEnvironment(path("b.exr"), {.from = *formHintNamed("faces")}).error().code, ErrorCode::usage);
 }
 
@@ -270,6 +271,137 @@ TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
   for (const std::string_view ending : endingsOf(FaceNaming::top)) fs::remove(path(std::string(ending) + ".exr"));
   EXPECT_EQ(loadEnvironment(folder_.string())->environment.radiance({0, 1, 0}), cube.radiance({0, 1, 0}));
   EXPECT_EQ(loadEnvironment(folder_.string(), {.from = *formHintNamed("sphere")}).error().code, ErrorCode::usage);
+}
+
+/// Six files of a world of waves; without metadata they say no more than their names.
+void writeFaces(const std::string& before, FaceNaming naming, const std::string& hint,
+                const std::string& extension = ".exr") {
+  const MapForm form{.projection = Projection::cube, .arrangement = formHintNamed(hint)->arrangement};
+  static const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  const ImageSet images = imagesOf(cube, form);
+  for (int slot = 0; slot < 6; ++slot)
+    ASSERT_TRUE(writeImage(before + std::string(endingsOf(naming)[static_cast<std::size_t>(slot)]) + extension,
+                           images.at(0, slot)));
+}
+
+/// How far the light of a map is from the waves.
+float largestError(const LoadedEnvironment& loaded) {
+  float error = 0.0f;
+  for (const glm::vec3 d : testing::manyDirections(200))
+    error = std::max(error, std::abs(loaded.environment.radiance(d).x - testing::waves(d).x));
+  return error;
+}
+
+TEST_F(LoadTest, SixFacesAreReadAsTheirEngineHasThem) {
+  for (const auto& [naming, hint] :
+       {std::pair(FaceNaming::px, "faces"), std::pair(FaceNaming::pos_x, "faces"), std::pair(FaceNaming::c00, "faces"),
+        std::pair(FaceNaming::quake, "faces:for=quake"), std::pair(FaceNaming::ogre, "faces:for=ogre"),
+        std::pair(FaceNaming::unity_cameras, "faces:as-seen"), std::pair(FaceNaming::letters, "faces:for=krpano"),
+        std::pair(FaceNaming::from_0, "faces"), std::pair(FaceNaming::from_1, "faces:for=krpano,order=+z+x-z-x+y-y")}) {
+    writeFaces(path("a_"), naming, hint);
+    const auto loaded = loadEnvironment(path("a_" + std::string(endingsOf(naming)[2]) + ".exr"));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_LT(largestError(*loaded), 0.02f) << hint;
+    EXPECT_EQ(loaded->recognition->told_by, "its name, one of six faces " + textOf(naming));
+    for (const std::string_view ending : endingsOf(naming)) fs::remove(path("a_" + std::string(ending) + ".exr"));
+  }
+}
+
+TEST_F(LoadTest, EdgesTellWhereFacesLieOtherwiseThanTheirNamesSay) {
+  writeFaces(path("a_"), FaceNaming::quake, "faces:for=krpano");
+  const auto seen = loadEnvironment(path("a_up.exr"));
+  ASSERT_TRUE(seen);
+  EXPECT_THAT(seen->doubt.other_forms, ElementsAre("faces:for=krpano", "sphere"))
+      << "and whether it is mirrored they do not tell";
+  EXPECT_LT(largestError(*loadEnvironment(path("a_up.exr"), {.from = *formHintNamed("faces:for=krpano")})), 0.02f);
+  writeFaces(path("b_"), FaceNaming::px, "faces:for=quake");
+  const auto turned = loadEnvironment(path("b_px.exr"));
+  EXPECT_LT(largestError(*turned), 0.02f);
+  EXPECT_THAT(turned->recognition->told_by, HasSubstr("and how its edges meet"));
+  writeFaces(path("c_"), FaceNaming::from_0, "faces:for=krpano,order=+z+x-z-x+y-y");
+  EXPECT_LT(largestError(*loadEnvironment(path("c_3.exr"))), 0.02f);
+}
+
+TEST_F(LoadTest, OneOfSixFacesSaysWithWhichOthersItIsRead) {
+  writeFaces(path("a_"), FaceNaming::px, "faces");
+  const auto loaded = loadEnvironment(path("a_py.exr"));
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->doubt.message,
+            "is read as one of the six faces of a cube, with a_px.exr, a_nx.exr, a_ny.exr, a_pz.exr and a_nz.exr, "
+            "by OpenGL's table; their edges meet in the mirrored world, too");
+  EXPECT_THAT(loaded->doubt.other_forms, ElementsAre("faces:for=krpano", "sphere"));
+  EXPECT_THAT(loadEnvironment(folder_.string())->doubt.other_forms, ElementsAre("faces:for=krpano"));
+  EXPECT_EQ(loadEnvironment(path("a_py.exr"), {.from = *formHintNamed("faces")})->doubt.message, "");
+  const auto alone = loadEnvironment(path("a_py.exr"), {.from = *formHintNamed("sphere")});
+  EXPECT_EQ(textOf(alone->recognition->form), "sphere");
+  EXPECT_THAT(alone->files, ElementsAre(path("a_py.exr")));
+  EXPECT_TRUE(alone->oddities.empty());
+}
+
+TEST_F(LoadTest, AFaceWithoutTheOthersSaysWhichAreMissing) {
+  writeFaces(path("a_"), FaceNaming::px, "faces");
+  for (const char* missing : {"a_nx.exr", "a_nz.exr"}) fs::remove(path(missing));
+  const auto refused = loadEnvironment(path("a_py.exr"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::not_found);
+  EXPECT_THAT(refused.error().message, HasSubstr("without a_nx.exr and a_nz.exr"));
+  fs::remove(path("a_ny.exr"));
+  const auto alone = loadEnvironment(path("a_py.exr"));
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_EQ(textOf(alone->recognition->form), "sphere");
+  EXPECT_THAT(alone->oddities, ElementsAre("is named like one of the six faces of a cube, of which a_nx.exr, a_ny.exr "
+                                           "and a_nz.exr are missing: read alone, as a sphere map"));
+}
+
+TEST_F(LoadTest, SixNumberedPicturesAreACubeOnlyIfTheyMeet) {
+  for (int number = 1; number <= 6; ++number) {
+    const auto shot = [&](glm::vec3 d) { return testing::waves(glm::normalize(d + 0.3f * float(number))); };
+    ASSERT_TRUE(writeImage(path("v_" + std::to_string(number) + ".exr"), cubeOf(shot, 256).face(4)));
+  }
+  const auto loaded = loadEnvironment(path("v_2.exr"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(textOf(loaded->recognition->form), "sphere");
+  EXPECT_TRUE(loaded->oddities.empty());
+  EXPECT_EQ(textOf(loadEnvironment(path("v_2.exr"), {.from = *formHintNamed("faces")})->recognition->form),
+            "cube, faces");
+  // Nor if they have different sizes.
+  ASSERT_TRUE(writeImage(path("v_3.exr"), Image(8, 8, 3)));
+  EXPECT_EQ(textOf(loadEnvironment(path("v_2.exr"))->recognition->form), "sphere");
+}
+
+TEST_F(LoadTest, SixLayersAreACubeIfTheyMeet) {
+  const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  ImageSet layers(1, 1, 6);
+  for (int face = 0; face < 6; ++face) layers.at(0, 0, face) = cube.face(face);
+  for (const char* name : {"a.dds", "a.ktx", "a.ktx2"}) {
+    ASSERT_TRUE(writeImageSet(path(name), layers, {.format = TexelFormat::float32}));
+    const auto loaded = loadEnvironment(path(name));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(textOf(loaded->recognition->form), "cube, faces") << name;
+    EXPECT_LT(largestError(*loaded), 0.02f) << name;
+    EXPECT_THAT(loaded->doubt.message, HasSubstr("is an array of six pictures, whose edges meet")) << name;
+    const auto first = loadEnvironment(path(name), {.from = *formHintNamed("sphere")});
+    EXPECT_EQ(textOf(first->recognition->form), "sphere") << name;
+  }
+  std::swap(layers.at(0, 0, 0), layers.at(0, 0, 3));
+  ASSERT_TRUE(writeImageSet(path("b.dds"), layers, {.format = TexelFormat::float32}));
+  const auto loaded = loadEnvironment(path("b.dds"));
+  EXPECT_EQ(textOf(loaded->recognition->form), "sphere");
+  EXPECT_THAT(loaded->oddities, ElementsAre(HasSubstr("do not meet as the faces of a cube: the first is read")));
+  EXPECT_EQ(textOf(loadEnvironment(path("b.dds"), {.from = *formHintNamed("cube")})->recognition->form), "cube, faces");
+}
+
+TEST_F(LoadTest, WhatIsOddInATextureIsTold) {
+  ImageSet cube(1, 6);
+  for (int face = 0; face < 6; ++face) cube.at(0, face) = Image(4, 4, 3, static_cast<float>(face));
+  ASSERT_TRUE(writeImageSet(path("a.dds"), cube));
+  Bytes file = *readFile(path("a.dds"));
+  file[136] = 0;  // DX10's flag of a cube
+  ASSERT_TRUE(writeFile(path("a.dds"), file));
+  const auto loaded = loadEnvironment(path("a.dds"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->environment.radiance({0, 1, 0}), glm::vec3(2.0f));
+  EXPECT_THAT(loaded->oddities, ElementsAre("says only in its old header that it is a cube: read as one"));
 }
 
 // Two eyes are no cube.

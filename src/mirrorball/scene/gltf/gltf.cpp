@@ -149,7 +149,7 @@ class SceneBuilder {
         continue;
       }
       if (!node.has_rotation)
-        file_.remarks.leaveOut({ErrorCode::bad_file, key + ".rotation has no length"}, "rotation");
+        file_.remarks.leaveOut({ErrorCode::bad_file, key + ".rotation has no direction"}, "rotation");
       in_rig[i] = static_cast<int>(places.size());
       places_[std::size_t(listed[i].node)] = in_rig[i];
       scene_.rig.nodes.push_back({.name = node.name, .parent = parent, .place = node.place});

@@ -68,19 +68,19 @@ float loadNumber(const std::uint8_t* bytes, int component_type, bool normalized)
 }
 
 std::uint32_t loadInteger(const std::uint8_t* bytes, int component_type) {
-  switch (component_type) {
-    case kUnsignedByte:
+  switch (componentSize(component_type)) {
+    case 1:
       return loadAs<std::uint8_t>(bytes);
-    case kUnsignedShort:
+    case 2:
       return loadAs<std::uint16_t>(bytes);
     default:
       return loadAs<std::uint32_t>(bytes);
   }
 }
 
-bool isUnsignedInteger(int component_type) {
-  return component_type == kUnsignedByte || component_type == kUnsignedShort || component_type == kUnsignedInt;
-}
+/// Indices are never below 0: the signed types that some programs name (UnityGLTF, gdx-gltf) mean the
+/// unsigned ones of their sizes.
+bool isOfIndices(int component_type) { return componentSize(component_type) > 0 && component_type != kFloat; }
 
 /// Elements that lie in a buffer, all of them inside it.
 struct Elements {
@@ -124,7 +124,7 @@ Result<void> addSparse(const File& file, const Sparse& sparse, const std::string
   if (sparse.count > layout.count)
     return fail(ErrorCode::bad_file,
                 key + ".sparse.count is " + std::to_string(sparse.count) + ", more than the accessor has");
-  if (!isUnsignedInteger(sparse.indices_type))
+  if (!isOfIndices(sparse.indices_type))
     return fail(ErrorCode::bad_file, key + ".sparse.indices.componentType is none of indices");
   MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices_view, sparse.indices_offset,
                                      componentSize(sparse.indices_type), sparse.count, false, key + ".sparse.indices"));
@@ -221,7 +221,7 @@ Result<Numbers> readFiniteNumbers(const File& file, int index, const std::string
 Result<std::vector<std::uint32_t>> readIntegers(const File& file, int index, const std::string& key) {
   MIRRORBALL_TRY(layout, layoutOf(file, index, key));
   const Accessor& accessor = file.document.accessors[std::size_t(index)];
-  if (layout.components != 1 || !isUnsignedInteger(accessor.component_type))
+  if (layout.components != 1 || !isOfIndices(accessor.component_type))
     return fail(ErrorCode::bad_file,
                 quoted("accessors", std::size_t(index)) + " has a type that " + key + " cannot have");
   std::vector<std::uint32_t> integers(layout.count, 0u);

@@ -155,7 +155,7 @@ TEST(GltfDamage, NamesTheKeyOfAWrongNode) {
   expectDamageTold(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1,1]}]"),
                    "nodes[0].scale has not 3 numbers; the value is left out");
   expectDamageTold(withRest("\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]"),
-                   "nodes[0].rotation has no length; the rotation is left out");
+                   "nodes[0].rotation has no direction; the rotation is left out");
   expectDamageRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"),
                       "nodes[0] has a transform that is too large");
 }

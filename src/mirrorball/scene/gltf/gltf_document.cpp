@@ -149,25 +149,30 @@ FileMesh parseMesh(const JsonReader& json) {
   return mesh;
 }
 
-/// Reads a node's matrix, or translation · rotation · scale. Where programs have NaN they write null, since JSON has no
-/// word for it.
+/// The numbers of a node's place. Where programs have NaN they write null, since JSON has no word for it.
+///
+/// has_nan  becomes true if one of them is
+std::vector<double> placeNumbers(const JsonReader& array, std::vector<double> otherwise, bool& has_nan) {
+  for (const JsonReader& number : array.elements())
+    if (number.isNull()) return has_nan = true, otherwise;
+  return array.numbers(std::move(otherwise));
+}
+
+/// Reads a node's matrix, or translation · rotation · scale.
 void readPlace(const JsonReader& json, Node& node) {
-  const auto numbersOf = [&](const char* name, std::vector<double> otherwise) {
-    const JsonReader array = json[name];
-    for (const JsonReader& number : array.elements())
-      if (number.isNull()) return node.is_somewhere = false, otherwise;
-    return array.numbers(otherwise);
-  };
+  bool is_nowhere = false, is_not_turned = false;
   if (json["matrix"].exists()) {
-    const std::vector<double> numbers = numbersOf("matrix", std::vector<double>(16, 0.0));
+    const std::vector<double> numbers = placeNumbers(json["matrix"], std::vector<double>(16, 0.0), is_nowhere);
     for (int i = 0; i < 16; ++i) node.place.matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
+    node.is_somewhere = !is_nowhere;
     return;
   }
-  const std::vector<double> translation = numbersOf("translation", {0, 0, 0});
-  const std::vector<double> rotation = numbersOf("rotation", {0, 0, 0, 1});
-  const std::vector<double> scale = numbersOf("scale", {1, 1, 1});
+  const std::vector<double> translation = placeNumbers(json["translation"], {0, 0, 0}, is_nowhere);
+  const std::vector<double> rotation = placeNumbers(json["rotation"], {0, 0, 0, 1}, is_not_turned);
+  const std::vector<double> scale = placeNumbers(json["scale"], {1, 1, 1}, is_nowhere);
+  node.is_somewhere = !is_nowhere;
   const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
-  node.has_rotation = glm::length(quaternion) > 0.0;
+  node.has_rotation = !is_not_turned && glm::length(quaternion) > 0.0;
   if (node.has_rotation) node.place.rotation = glm::normalize(quaternion);
   node.place.translation = {translation[0], translation[1], translation[2]};
   node.place.scale = {scale[0], scale[1], scale[2]};
@@ -259,19 +264,19 @@ TexCoordSets texCoordSets(std::span<const FileMaterial> materials) {
   return {*used.begin(), *std::next(used.begin())};
 }
 
-/// Parses a text as JSON, and as what is JSON but for the words NaN and Infinity, which Python writes as they are and
-/// which mean null here.
+/// Parses a text as JSON, and as what is JSON once it is mended.
 Result<nlohmann::json> parseJson(std::string_view text, Remarks& remarks) {
   try {
     return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
-    const std::optional<std::string> plain = withoutNan(text);
-    auto parsed = plain ? nlohmann::json::parse(*plain, nullptr, /*allow_exceptions=*/false)
-                        : nlohmann::json(nlohmann::json::value_t::discarded);
+    const std::optional<std::string> mended = mendedJson(text);
+    auto parsed = mended ? nlohmann::json::parse(*mended, nullptr, /*allow_exceptions=*/false)
+                         : nlohmann::json(nlohmann::json::value_t::discarded);
     if (parsed.is_discarded())
       return fail(ErrorCode::bad_file,
                   "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
-    remarks.tell("has NaN or Infinity in its JSON, which has no such words; they are read as no value");
+    remarks.tell("is no valid JSON at byte " + std::to_string(error.byte) +
+                 " of it: numbers that are missing, NaN or infinite, and commas too many, are read as no value");
     return parsed;
   } catch (const nlohmann::json::exception&) {
     return fail(ErrorCode::bad_file, "its JSON holds a number out of range");

@@ -114,7 +114,7 @@ struct FileMesh {
 struct Node {
   NodePlace place;
   bool is_somewhere = true;  ///< else its place holds NaN
-  bool has_rotation = true;  ///< else its quaternion is 0
+  bool has_rotation = true;  ///< else its quaternion is 0 or NaN
   int mesh = -1;
   std::vector<int> children;
   std::string name;

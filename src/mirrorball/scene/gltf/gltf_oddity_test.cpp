@@ -165,14 +165,20 @@ TEST(GltfOddJson, WhatIsNullIsNotThere) {
       R"("nodes":[{"mesh":0,"skin":null,"matrix":null,"name":null,"children":null}],"materials":null,"scene":null)")));
 }
 
-TEST(GltfOddJson, NanAndInfinityAreRead) {
-  GltfMaker maker;
-  maker.accessor(kPlaces, "VEC3", R"(,"min":[NaN,-Infinity,0],"max":[1,Infinity,NaN])");
-  expectTold(decodedOdd(maker.gltf(kPlain)), "has NaN or Infinity in its JSON, which has no such words");
-  const Result<Scene> named = decodedOdd(maker.gltf(kPlain, R"("nodes":[{"mesh":0,"name":"NaN \" Infinity"}])"));
-  expectTold(named, "has NaN or Infinity");
-  EXPECT_EQ(named->rig.nodes.at(0).name, "NaN \" Infinity");
-  for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity"})
+TEST(GltfOddJson, NumbersThatAreNoneAreRead) {
+  for (const char* bounds : {R"([NaN,-Infinity,0])", "[nan,-inf,inf]", "[-nan(ind),nan,0]", "[, , ]", "[,,1.0]",
+                             "[1,2,3,]", "[1 , NaN , ]"}) {
+    GltfMaker maker;
+    maker.accessor(kPlaces, "VEC3", R"(,"min":)" + std::string(bounds) + R"(,"max":[1,1,0])");
+    expectTold(decodedOdd(maker.gltf(kPlain)),
+               "numbers that are missing, NaN or infinite, and commas too many, are read as no value");
+  }
+  expectTold(decodedOdd(triangleFile().gltf(kPlain, R"("extras":{"a":,"b":1,})")), "commas too many");
+  const Result<Scene> named =
+      decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"name":"NaN \" ,,] inf"}],"extras":[NaN])"));
+  expectTold(named, "is no valid JSON at byte ");
+  EXPECT_EQ(named->rig.nodes.at(0).name, "NaN \" ,,] inf");
+  for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity", ",", "]", "{\"a\",}", "-", "i"})
     EXPECT_THAT(decodedOdd(std::string(broken)).error().message, HasSubstr("is no valid JSON")) << broken;
 }
 
@@ -211,7 +217,7 @@ TEST(GltfOddScene, TheFirstSceneIsShownWhereNoneIsNamed) {
 
 TEST(GltfOddScene, WhatIsNowhereIsLeftOutWithAllBelow) {
   const std::string nowhere[] = {R"("matrix":[null,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])", R"("translation":[0,NaN,0])",
-                                 R"("scale":[1e40,1,1])", R"("rotation":[0,0,0,null])"};
+                                 R"("scale":[1e40,1,1])"};
   for (const std::string& place : nowhere) {
     const Result<Scene> scene =
         decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"children":[1],)" + place +
@@ -221,6 +227,17 @@ TEST(GltfOddScene, WhatIsNowhereIsLeftOutWithAllBelow) {
     ASSERT_EQ(scene->rig.nodes.size(), 2u) << place;
     EXPECT_EQ(scene->rig.nodes[1].name, "below");
     EXPECT_EQ(scene->rig.nodes[1].parent, 0);
+  }
+}
+
+// Early exporters of Blender, and others where an axis is scaled to nothing.
+TEST(GltfOddScene, ARotationOfNanTurnsNothing) {
+  for (const char* rotation : {"[null,null,null,null]", "[NaN,0,0,1]", "[0,0,0,0]"}) {
+    const Result<Scene> scene = decodedOdd(triangleFile().gltf(
+        kPlain, R"("nodes":[{"mesh":0,"translation":[2,0,0],"rotation":)" + std::string(rotation) + "}]"));
+    expectTold(scene, "nodes[0].rotation has no direction; the rotation is left out");
+    EXPECT_EQ(scene->instances.at(0).world_from_object[0], glm::vec4(1, 0, 0, 0)) << rotation;
+    EXPECT_EQ(scene->instances[0].world_from_object[3], glm::vec4(2, 0, 0, 1)) << rotation;
   }
 }
 
@@ -272,6 +289,18 @@ TEST(GltfOddMesh, TrianglesOfNoVertexAndOfNoPlaceAreLeftOut) {
              "1 triangle names a vertex that is not there and is left out; 2 triangles reach NaN or infinity and "
              "are left out");
   EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+}
+
+TEST(GltfOddMesh, IndicesOfSignedTypesAreRead) {
+  GltfMaker maker = triangleFile();
+  maker.accessor(std::vector<std::int16_t>{0, 1, 2}, "SCALAR");
+  maker.accessor(std::vector<std::int8_t>{0, 1, 2}, "SCALAR");
+  for (const char* indices : {"1", "2"}) {
+    const Result<Scene> scene =
+        decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0},"indices":)" + std::string(indices) + "}"));
+    expectSilent(scene);
+    EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+  }
 }
 
 // The authors' normals lean by 30° from those of the triangles; a triangle without an area is beside.

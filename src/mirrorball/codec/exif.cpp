@@ -54,7 +54,7 @@ class ExifBlock {
 
   /// The first letter of a text in the GPS directory; 0 where there is none.
   char gpsLetter(std::uint16_t tag) const {
-    const std::size_t entry = entryOf(gps_, tag);
+    const std::size_t entry = findEntry(gps_, tag);
     return entry != 0 && u16(entry + 2) == kAscii ? static_cast<char>(bytes_[entry + 8]) : '\0';
   }
 
@@ -70,12 +70,12 @@ class ExifBlock {
 
   /// Where a directory begins that the picture's own one names; 0 where it names none.
   std::size_t directoryAt(std::uint16_t tag) const {
-    const std::size_t entry = entryOf(main_, tag);
+    const std::size_t entry = findEntry(main_, tag);
     return entry != 0 && u16(entry + 2) == kLong ? u32(entry + 8) : 0;
   }
 
   /// Where the entry of a tag begins; 0 where there is none, or not as a whole.
-  std::size_t entryOf(std::size_t directory, std::uint16_t tag) const {
+  std::size_t findEntry(std::size_t directory, std::uint16_t tag) const {
     if (directory < kHeader || !has(directory, 2)) return 0;
     const std::size_t first = directory + 2;
     const std::size_t count = std::min<std::size_t>(u16(directory), (bytes_.size() - first) / kEntry);
@@ -85,7 +85,7 @@ class ExifBlock {
   }
 
   std::optional<double> numberIn(std::size_t directory, std::uint16_t tag) const {
-    const std::size_t entry = entryOf(directory, tag);
+    const std::size_t entry = findEntry(directory, tag);
     if (entry == 0) return {};
     switch (u16(entry + 2)) {
       case kShort:

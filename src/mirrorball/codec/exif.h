@@ -25,7 +25,7 @@ struct Exif {
 /// from     Exif 3.0 (CIPA DC-008-2023), 4.5 (structure), 4.6 (tags); TIFF 6.0, section 2
 Exif readExif(std::span<const std::uint8_t> bytes);
 
-/// Reads the EXIF segment of a JPEG; all values are absent where there is none, or where the bytes are no JPEG.
+/// Reads the EXIF segment of a JPEG; all values are absent without one, and in other bytes than a JPEG's.
 ///
 /// jpeg     from its first byte to the segment's end at least
 Exif readJpegExif(std::span<const std::uint8_t> jpeg);

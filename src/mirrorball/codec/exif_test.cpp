@@ -8,7 +8,7 @@
 namespace mirrorball {
 namespace {
 
-using testing::exifOf;
+using testing::exifBlock;
 using testing::withExif;
 
 Bytes plainJpeg() { return *encodeJpeg(Image8(8, 8, 3, 128), {}); }
@@ -39,7 +39,7 @@ void expectNone(const Exif& read) {
 
 TEST(Exif, IsReadInEitherByteOrder) {
   for (const ExifByteOrder order : {EXIF_BYTE_ORDER_INTEL, EXIF_BYTE_ORDER_MOTOROLA}) {
-    const Bytes block = exifOf(kAll, order);
+    const Bytes block = exifBlock(kAll, order);
     expectAll(readExif(block));
     expectAll(readExif(std::span(block).subspan(6)));  // without "Exif"
   }
@@ -49,16 +49,16 @@ TEST(Exif, IsReadInEitherByteOrder) {
 TEST(Exif, WithoutItNothingIsKnown) {
   expectNone(readExif({}));
   expectNone(readJpegExif(plainJpeg()));
-  expectNone(readJpegExif(exifOf(kAll)));  // no JPEG
+  expectNone(readJpegExif(exifBlock(kAll)));  // no JPEG
 }
 
 TEST(Exif, ZeroIsNoValue) {
-  expectNone(readExif(exifOf({.exposure_time_s = 0.0, .iso = 0.0, .focal_length_35mm = 0.0, .orientation = 0})));
-  EXPECT_EQ(readExif(exifOf({.orientation = 9})).orientation, 1);
+  expectNone(readExif(exifBlock({.exposure_time_s = 0.0, .iso = 0.0, .focal_length_35mm = 0.0, .orientation = 0})));
+  EXPECT_EQ(readExif(exifBlock({.orientation = 9})).orientation, 1);
 }
 
 TEST(Exif, DamageIsNoReasonToStop) {
-  const Bytes block = exifOf(kAll);
+  const Bytes block = exifBlock(kAll);
   for (std::size_t at = 0; at < block.size(); ++at) {
     for (const std::uint8_t change : {std::uint8_t{0xa5}, std::uint8_t{0xff}}) {
       Bytes damaged = block;

@@ -11,7 +11,7 @@
 namespace mirrorball::testing {
 
 /// EXIF as libexif's own writer makes it of what `exif` holds, behind "Exif\0\0".
-inline Bytes exifOf(const Exif& exif, ExifByteOrder order = EXIF_BYTE_ORDER_INTEL) {
+inline Bytes exifBlock(const Exif& exif, ExifByteOrder order = EXIF_BYTE_ORDER_INTEL) {
   ExifData* data = exif_data_new();
   exif_data_set_byte_order(data, order);
   const auto add = [&](ExifIfd directory, ExifTag tag, ExifFormat format, unsigned size) {
@@ -53,7 +53,7 @@ inline Bytes exifOf(const Exif& exif, ExifByteOrder order = EXIF_BYTE_ORDER_INTE
 
 /// A JPEG with that in its first segment.
 inline Bytes withExif(const Bytes& jpeg, const Exif& exif) {
-  const Bytes segment = jpegSegment(kApp1, exifOf(exif));
+  const Bytes segment = jpegSegment(kApp1, exifBlock(exif));
   Bytes bytes = jpeg;
   bytes.insert(bytes.begin() + 2, segment.begin(), segment.end());
   return bytes;

@@ -16,7 +16,7 @@ namespace mirrorball {
 
 /// How the files of one format are read and written. What is nullptr is not done with it.
 struct FormatCodec {
-  /// To light; nothing where a file's integers are all there is of it, of which imageOf makes it.
+  /// To light; nothing where a file's integers are all there is of it, of which asImage makes it.
   Result<DecodedImage> (*decode)(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) = nullptr;
   /// To integers as stored; nothing where the format has none, or is none of pictures.
   Result<CodedFile> (*decode_codes)(std::span<const std::uint8_t> bytes, CodeForm form) = nullptr;

@@ -52,7 +52,7 @@ Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) 
   }
   MIRRORBALL_TRY_VOID(checkLayer(options, false));
   MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::stored));
-  return imageOf(std::move(file));
+  return asImage(std::move(file));
 }
 
 /// The codec of a file that holds integers; nullptr of any other.
@@ -70,7 +70,7 @@ Result<PictureCodes> decodeCodesByMagic(Span bytes) {
     return fail(ErrorCode::unsupported, "is " + std::string(formatOf(*formatBegunBy(bytes)).name) +
                                             ", which no texture of a model is; use " + right);
   MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::rgba));
-  return pictureCodesOf(std::move(file));
+  return asCodes(std::move(file));
 }
 
 /// What is made of a file: of its integers, or else of its light.
@@ -157,17 +157,17 @@ Result<Image8> decodeTexture(Span bytes) {
 
 Result<Decoded<Texels>> decodeColorTexture(Span bytes) {
   return withinMemory<Decoded<Texels>>(
-      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, {}, colorTextureOf, floatTexels); });
+      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, {}, asColorTexture, floatTexels); });
 }
 
 Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ImageReadOptions& options) {
   return withinMemory<Decoded<Texels>>(
-      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, options, dataTextureOf, floatTexels); });
+      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, options, asDataTexture, floatTexels); });
 }
 
 Result<Decoded<Image>> decodeNumbers(Span bytes, const ImageReadOptions& options) {
   return withinMemory<Decoded<Image>>([&] {
-    return decodeAs<Image>(bytes, CodeForm::stored, options, numbersOf, [](Image numbers) { return numbers; });
+    return decodeAs<Image>(bytes, CodeForm::stored, options, asNumbers, [](Image numbers) { return numbers; });
   });
 }
 

@@ -74,7 +74,7 @@ struct ImageReadOptions {
   ProgressFunction progress = {};  ///< told by OpenEXR and TIFF, which take seconds for large compressed pictures
 };
 
-/// What is read of a picture's file, upright, and what is to be said of it.
+/// What is read of a picture's file, upright, with remarks on the file.
 template <typename Picture>
 struct Decoded {
   Picture picture;
@@ -141,7 +141,7 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// errors   as decodeImage's; unsupported: the file holds no integers
 Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
 
-/// The codes alone, of files about which there is nothing to be said.
+/// The codes alone, for files that need no remark.
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
 /// Decodes a picture whose numbers are no colours, such as heights or normals: integers of 8 or 16 bits as shares of

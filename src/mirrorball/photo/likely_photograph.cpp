@@ -60,10 +60,12 @@ Result<bool> isLikelyPhotograph(const std::filesystem::path& path) {
   if (rows) return hasNoMap({rows->description().width, rows->description().height}, rows->description().metadata);
   MIRRORBALL_TRY(bytes, readImageFile(path));
   if (photoSphereIn(bytes)) return false;
-  if (const auto size = sizeByHeader(bytes)) {
+  if (auto size = sizeByHeader(bytes)) {
+    const Exif exif = readJpegExif(bytes);
+    if (exif.orientation > 4) std::swap(size->x, size->y);  // rows are shown as columns
     const auto recognition = recognize(size->x, size->y, {});
     if (recognition && recognition->form.projection == Projection::equirect) return false;
-    if (namesCamera(readJpegExif(bytes))) return true;
+    if (namesCamera(exif)) return true;
     if (recognition) return false;
   }
   MIRRORBALL_TRY(decoded, withName(path.string(), decodeImage(bytes)));

@@ -42,6 +42,9 @@ TEST(LikelyPhotograph, IsWhatHasTheShapeOfNoMap) {
 TEST(LikelyPhotograph, IsWhatACameraHasMade) {
   EXPECT_TRUE(isLikely(64, 48, &kOfCamera));
   EXPECT_FALSE(isLikely(64, 32, &kOfCamera)) << "a camera for panoramas";
+  Exif turned = kOfCamera;
+  turned.orientation = 6;
+  EXPECT_FALSE(isLikely(32, 64, &turned)) << "held upright";
   const Exif unknown{};
   EXPECT_FALSE(isLikely(64, 48, &unknown));
 }

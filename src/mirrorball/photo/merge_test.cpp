@@ -8,6 +8,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel_testing.h"
+#include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/photo/photo_testing.h"
 
 namespace mirrorball {
@@ -226,10 +227,39 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
   auto mixed = series;
   mixed[1] = {"b.exr", {}, light, {}};
   EXPECT_THAT(errorOf(mixed, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::usage).message, HasSubstr("b.exr"));
+  auto colors = series;
+  colors[1].color.primaries = kDisplayP3;
+  EXPECT_THAT(errorOf(colors, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message,
+              HasSubstr("photo_1.jpg: says of its colours sRGB, primaries of the file (Display P3)"));
   series[1] = seriesOf(Image(40, 41, 3, 0.2f), {1.0}, srgb)[0];
   const std::string sizes = errorOf(series, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message;
   EXPECT_THAT(sizes, HasSubstr("40x41"));
   EXPECT_THAT(sizes, HasSubstr("40x40"));
+}
+
+// The light of a phone's photograph in Display P3, whatever curve its codes have.
+TEST(Merge, PrimariesAreConvertedOnceCodesAreLight) {
+  const glm::vec3 light(0.5f, 0.2f, 0.15f);
+  const glm::vec3 stored = glm::inverse(*rec709FromPrimaries(kDisplayP3)) * light;
+  Image p3(40, 40, 3);
+  for (std::size_t i = 0; i < p3.samples().size(); ++i) p3.samples()[i] = stored[int(i % 3)];
+  auto single = seriesOf(p3, {1.0}, srgb);
+  single[0].color.primaries = kDisplayP3;
+  const auto merged = mergePhotographs(single, {});
+  ASSERT_TRUE(merged) << merged.error().message;
+  EXPECT_EQ(merged->response, "assumed sRGB");
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(merged->light.texel(20, 20)[c], light[c], 0.003f);
+
+  const double power = 1.8;
+  auto of_power = seriesOf(p3, {1.0}, gamma18);
+  of_power[0].color = {Transfer::gamma, power, kDisplayP3};
+  const auto by_file = mergePhotographs(of_power, {});
+  ASSERT_TRUE(by_file);
+  EXPECT_EQ(by_file->response, "the file's gamma 1.8");
+  // A response is scaled to sRGB's light at code 128.
+  const float scale = formula::linearFromSrgb1(128.0f / 255.0f) / static_cast<float>(std::pow(128.0 / 255.0, power));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(by_file->light.texel(20, 20)[c], scale * light[c], 0.004f);
+  EXPECT_EQ(mergePhotographs(of_power, {.exposures = {}, .response = ResponseKind::srgb})->response, "assumed sRGB");
 }
 
 }  // namespace

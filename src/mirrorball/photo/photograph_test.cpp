@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/exif_testing.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
@@ -112,6 +113,16 @@ TEST_F(PhotographTest, LinearFilesAreLight) {
   EXPECT_EQ(*photograph->light.texel(2, 1), 7.5f);
   EXPECT_EQ(readPhotograph(folder_ / "none.jpg").error().code, ErrorCode::not_found);
   EXPECT_EQ(readPhotograph(write("x.jpg", {1, 2, 3})).error().code, ErrorCode::bad_file);
+}
+
+TEST_F(PhotographTest, PrimariesAndOdditiesAreKept) {
+  const Bytes p3 = testing::jpegWithProfile(jpegOf(marked()), testing::iccDisplayP3());
+  const auto photograph = readPhotograph(write("p3.jpg", withExif(p3, {.orientation = 3})));
+  ASSERT_TRUE(photograph) << photograph.error().message;
+  ASSERT_TRUE(photograph->color.primaries);
+  EXPECT_NEAR(photograph->color.primaries->green.y, 0.690, 1e-4);
+  EXPECT_GT(*photograph->codes.texel(31, 15), 128) << "codes as the camera made them, upright";
+  EXPECT_THAT(photograph->oddities, ::testing::ElementsAre(HasSubstr("turned upright"), HasSubstr("Display P3")));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct EncodedPicture {
   bool shows_colors = false;  ///< what some material reads in it is a colour: decodeColorTexture
 };
 
-/// Told what is odd about a picture's file and how it was read: a line without its name.
+/// Receives what is odd about a picture's file and how it was read: a line without its name.
 using PictureRemark = std::function<void(std::size_t picture, const std::string& oddity)>;
 
 /// Decodes pictures (codec/image_file.h: decodeColorTexture, decodeDataTexture), several at the same time: with large

@@ -36,8 +36,7 @@ CodedColor codedColor(const TransferCurve& curve, const std::optional<Primaries>
 /// Whether codes with 1, 3 or 4 channels are sRGB's as they are, as far as is known.
 bool isSrgb(const CodedColor& color);
 
-/// The curve by which the light of each code can be told by itself and relative to white; nothing: PQ's, HLG's and
-/// Rec.709's.
+/// The curve that gives the light of each code by itself, relative to white; nothing: PQ's, HLG's and Rec.709's.
 std::optional<TransferCurve> curveOf(const CodedColor& color);
 
 /// The number of primaries there, of any but ACEScg's, which has none.

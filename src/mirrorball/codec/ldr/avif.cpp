@@ -84,7 +84,7 @@ bool canBeTriedByAom(const avifDecoder& decoder, Span bytes) {
 
 /// As cameras number it. HEIF turns a picture first, against the clock, and then mirrors it: its upper half to the
 /// lower, or its left to the right.
-int orientationOf(const avifImage& image) {
+int cameraOrientation(const avifImage& image) {
   constexpr int kTurned[]{1, 8, 3, 6};
   constexpr int kTurnedAndMirrored[2][4]{{4, 5, 2, 7}, {2, 7, 4, 5}};
   const int quarters = (image.transformFlags & AVIF_TRANSFORM_IROT) != 0 ? image.irot.angle & 3 : 0;
@@ -137,7 +137,7 @@ Result<CodedFile> decodeAvif(Span bytes, CodeForm form) {
                                         : codedColor(image.colorPrimaries, image.transferCharacteristics);
   return CodedFile{.codes = std::move(picture),
                    .color = std::move(color),
-                   .orientation = orientationOf(image),
+                   .orientation = cameraOrientation(image),
                    .orientation_source = "header",
                    .format = "AVIF, " + std::to_string(image.depth) + " bits"};
 }

@@ -26,7 +26,7 @@ void tellUnreadProfile(CodedFile& file) {
   const std::string& name = file.color.unread_profile;
   if (!name.empty() && !name.starts_with("sRGB"))
     file.oddities.push_back("has an ICC profile (" + name +
-                            ") that is no matrix with one curve, and is not applied: taken as sRGB");
+                            ") without a matrix and one curve, which is not applied: taken as sRGB");
 }
 
 /// The remark on colours that are not sRGB's as they stand.
@@ -51,7 +51,7 @@ void turnUpright(CodedFile& file) {
   file.orientation = 1;
 }
 
-DecodedImage imageOf(CodedFile file) {
+DecodedImage asImage(CodedFile file) {
   turnUpright(file);
   tellUnreadProfile(file);
   Image light = lightOf(file.codes, file.color);
@@ -61,7 +61,7 @@ DecodedImage imageOf(CodedFile file) {
   return image;
 }
 
-Decoded<Texels> colorTextureOf(CodedFile file) {
+Decoded<Texels> asColorTexture(CodedFile file) {
   turnUpright(file);
   tellColor(file);
   if (isSrgb(file.color)) return {Texels(textureOf(std::move(file.codes))), std::move(file.oddities)};
@@ -70,19 +70,19 @@ Decoded<Texels> colorTextureOf(CodedFile file) {
   return {std::move(texels), std::move(file.oddities)};
 }
 
-Decoded<Texels> dataTextureOf(CodedFile file) {
+Decoded<Texels> asDataTexture(CodedFile file) {
   turnUpright(file);
   Texels texels = std::holds_alternative<Image8>(file.codes) ? Texels(textureOf(std::move(file.codes)))
                                                              : Texels(withAlpha(sharesOf(file.codes)));
   return {std::move(texels), std::move(file.oddities)};
 }
 
-Decoded<Image> numbersOf(CodedFile file) {
+Decoded<Image> asNumbers(CodedFile file) {
   turnUpright(file);
   return {sharesOf(file.codes), std::move(file.oddities)};
 }
 
-PictureCodes pictureCodesOf(CodedFile file) {
+PictureCodes asCodes(CodedFile file) {
   turnUpright(file);
   tellColor(file);
   return {textureOf(std::move(file.codes)), std::move(file.color), file.exif, std::move(file.oddities)};

@@ -17,7 +17,7 @@ enum class CodeForm {
 };
 
 /// A picture of integers as its file holds it, and all that the file says of it. A codec only fills this; what is made
-/// of it, here below, is the same for all formats.
+/// of it, here below, does not depend on the format.
 struct CodedFile {
   CodedPicture codes;
   CodedColor color = {};
@@ -39,21 +39,21 @@ void turnUpright(CodedFile& file);
 /// Linear light with Rec.709's primaries, upright.
 ///
 /// cost     the codes and the light stand side by side
-DecodedImage imageOf(CodedFile file);
+DecodedImage asImage(CodedFile file);
 
-/// A texture of colours, upright: sRGB's codes of 8 bits and Rec.709. What has other codes is converted, and said to
-/// be; to floats where some light is beyond what codes hold.
-Decoded<Texels> colorTextureOf(CodedFile file);
+/// A texture of colours, upright: sRGB's codes of 8 bits and Rec.709. What has other codes is converted, with a
+/// remark; to floats where some light is beyond what codes hold.
+Decoded<Texels> asColorTexture(CodedFile file);
 
 /// A texture of numbers, upright: codes of 8 bits as they are, others as shares. What the file says of colours means
 /// nothing.
-Decoded<Texels> dataTextureOf(CodedFile file);
+Decoded<Texels> asDataTexture(CodedFile file);
 
 /// Numbers as shares of the greatest code, upright.
-Decoded<Image> numbersOf(CodedFile file);
+Decoded<Image> asNumbers(CodedFile file);
 
 /// Codes of 8 bits as a camera made them, upright, and what they stand for.
-PictureCodes pictureCodesOf(CodedFile file);
+PictureCodes asCodes(CodedFile file);
 
 /// With alpha, which is 1 where there was none.
 Image withAlpha(Image image);

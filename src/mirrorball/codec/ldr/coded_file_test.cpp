@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 
 Image8 codedPicture(int channels) { return pictureFromLinear(testing::gradient(7, 5, channels), channels); }
 
-CodedFile fileOf(CodedPicture codes, CodedColor color = {}, int orientation = 1) {
+CodedFile fileWith(CodedPicture codes, CodedColor color = {}, int orientation = 1) {
   return {.codes = std::move(codes), .color = std::move(color), .orientation = orientation};
 }
 
@@ -26,30 +26,30 @@ const CodedColor kP3{.primaries = kDisplayP3};
 TEST(CodedFile, IsTurnedUprightOnce) {
   for (int orientation = 1; orientation <= 8; ++orientation) {
     const Image8 expected = upright(codedPicture(3), orientation);
-    const auto file = [&] { return fileOf(codedPicture(3), {}, orientation); };
-    const auto told = [&](const std::vector<std::string>& oddities) {
+    const auto file = [&] { return fileWith(codedPicture(3), {}, orientation); };
+    const auto expectRemark = [&](const std::vector<std::string>& oddities) {
       if (orientation == 1)
         EXPECT_THAT(oddities, IsEmpty());
       else
         EXPECT_THAT(oddities,
                     ElementsAre("turned upright, as its EXIF says (orientation " + std::to_string(orientation) + ")"));
     };
-    const DecodedImage image = imageOf(file());
+    const DecodedImage image = asImage(file());
     EXPECT_THAT(image.image.samples(), ElementsAreArray(linearFromPicture(expected).samples()));
-    told(image.oddities);
-    const auto numbers = numbersOf(file());
+    expectRemark(image.oddities);
+    const auto numbers = asNumbers(file());
     EXPECT_EQ(numbers.picture.texel(2, 3)[1], static_cast<float>(expected.texel(2, 3)[1]) / 255.0f);
-    told(numbers.oddities);
-    for (const Decoded<Texels>& texture : {colorTextureOf(file()), dataTextureOf(file())}) {
+    expectRemark(numbers.oddities);
+    for (const Decoded<Texels>& texture : {asColorTexture(file()), asDataTexture(file())}) {
       EXPECT_EQ(std::get<Image8>(texture.picture).texel(2, 3)[1], expected.texel(2, 3)[1]);
-      told(texture.oddities);
+      expectRemark(texture.oddities);
     }
-    const PictureCodes codes = pictureCodesOf(file());
+    const PictureCodes codes = asCodes(file());
     EXPECT_EQ(codes.codes.texel(2, 3)[1], expected.texel(2, 3)[1]);
-    told(codes.oddities);
+    expectRemark(codes.oddities);
   }
-  EXPECT_THAT(imageOf(fileOf(codedPicture(1), {}, 0)).oddities, IsEmpty());
-  EXPECT_THAT(imageOf(fileOf(codedPicture(1), {}, 9)).oddities, IsEmpty());
+  EXPECT_THAT(asImage(fileWith(codedPicture(1), {}, 0)).oddities, IsEmpty());
+  EXPECT_THAT(asImage(fileWith(codedPicture(1), {}, 9)).oddities, IsEmpty());
 }
 
 // Display P3's (0.6, 0.3, 0.2) of Rec.709: the light, and as a texture the nearest of sRGB's codes.
@@ -58,8 +58,8 @@ TEST(CodedFile, OtherPrimariesBecomeSrgbsCodes) {
   const glm::vec3 p3 = glm::inverse(*rec709FromPrimaries(kDisplayP3)) * light;
   Image8 codes(1, 1, 4, 77);
   for (int c = 0; c < 3; ++c) codes.texel(0, 0)[c] = srgb8FromLinear(p3[c]);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(imageOf(fileOf(codes, kP3)).image.texel(0, 0)[c], light[c], 0.004f);
-  const auto texture = colorTextureOf(fileOf(codes, kP3));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(asImage(fileWith(codes, kP3)).image.texel(0, 0)[c], light[c], 0.004f);
+  const auto texture = asColorTexture(fileWith(codes, kP3));
   ASSERT_TRUE(std::holds_alternative<Image8>(texture.picture));
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(std::get<Image8>(texture.picture).texel(0, 0)[c], srgb8FromLinear(light[c]), 1);
@@ -71,58 +71,58 @@ TEST(CodedFile, OtherPrimariesBecomeSrgbsCodes) {
 TEST(CodedFile, LightBeyondCodesBecomesFloats) {
   Image8 red(2, 1, 3, 0);
   red.texel(1, 0)[0] = 255;
-  const auto texture = colorTextureOf(fileOf(red, kP3));
+  const auto texture = asColorTexture(fileWith(red, kP3));
   ASSERT_TRUE(std::holds_alternative<Image>(texture.picture));
   const Image& light = std::get<Image>(texture.picture);
   EXPECT_NEAR(light.texel(1, 0)[0], 1.2249f, 1e-3f);
   EXPECT_NEAR(light.texel(1, 0)[1], -0.0421f, 1e-3f);
   EXPECT_EQ(light.texel(1, 0)[3], 1.0f);
   // White stays white, whatever its primaries.
-  EXPECT_EQ(std::get<Image8>(colorTextureOf(fileOf(Image8(1, 1, 3, 255), kP3)).picture).texel(0, 0)[0], 255);
+  EXPECT_EQ(std::get<Image8>(asColorTexture(fileWith(Image8(1, 1, 3, 255), kP3)).picture).texel(0, 0)[0], 255);
 }
 
 TEST(CodedFile, OtherCurvesBecomeSrgbsCodes) {
   const Image8 grey(1, 1, 1, 128);
   const CodedColor gamma{Transfer::gamma, 1.8};
   const float light = std::pow(128.0f / 255.0f, 1.8f);
-  EXPECT_NEAR(imageOf(fileOf(grey, gamma)).image.texel(0, 0)[0], light, 1e-6f);
-  EXPECT_EQ(std::get<Image8>(colorTextureOf(fileOf(grey, gamma)).picture).texel(0, 0)[2], srgb8FromLinear(light));
+  EXPECT_NEAR(asImage(fileWith(grey, gamma)).image.texel(0, 0)[0], light, 1e-6f);
+  EXPECT_EQ(std::get<Image8>(asColorTexture(fileWith(grey, gamma)).picture).texel(0, 0)[2], srgb8FromLinear(light));
   const CodedColor pq{Transfer::pq};
-  EXPECT_NEAR(std::get<Image>(colorTextureOf(fileOf(Image8(1, 1, 3, 255), pq)).picture).texel(0, 0)[0],
+  EXPECT_NEAR(std::get<Image>(asColorTexture(fileWith(Image8(1, 1, 3, 255), pq)).picture).texel(0, 0)[0],
               10000.0f / 203.0f, 1e-2f);
 }
 
 TEST(CodedFile, NumbersKnowNoColours) {
   const Image8 source = codedPicture(3);
   for (const CodedColor& color : {kP3, CodedColor{Transfer::pq}, CodedColor{.unread_profile = "Camera RGB"}}) {
-    const auto data = dataTextureOf(fileOf(source, color));
+    const auto data = asDataTexture(fileWith(source, color));
     EXPECT_EQ(std::get<Image8>(data.picture).texel(3, 2)[1], source.texel(3, 2)[1]);
     EXPECT_THAT(data.oddities, IsEmpty());
-    const auto numbers = numbersOf(fileOf(source, color));
+    const auto numbers = asNumbers(fileWith(source, color));
     EXPECT_EQ(numbers.picture.texel(3, 2)[1], static_cast<float>(source.texel(3, 2)[1]) / 255.0f);
     EXPECT_THAT(numbers.oddities, IsEmpty());
   }
   const ImageOf<std::uint16_t> fine(1, 1, 1, 12345);
-  const auto data = dataTextureOf(fileOf(fine));
+  const auto data = asDataTexture(fileWith(fine));
   EXPECT_THAT(std::get<Image>(data.picture).samples(),
               ElementsAre(12345 / 65535.0f, 12345 / 65535.0f, 12345 / 65535.0f, 1.0f));
 }
 
-TEST(CodedFile, AProfileThatIsNotAppliedIsTold) {
+TEST(CodedFile, AProfileThatIsNotAppliedIsReported) {
   const CodedColor unread{.unread_profile = "Camera RGB"};
-  const auto told = ElementsAre(
-      "has an ICC profile (Camera RGB) that is no matrix with one curve, and is not applied: "
+  const auto remark = ElementsAre(
+      "has an ICC profile (Camera RGB) without a matrix and one curve, which is not applied: "
       "taken as sRGB");
-  EXPECT_THAT(imageOf(fileOf(codedPicture(3), unread)).oddities, told);
-  EXPECT_THAT(colorTextureOf(fileOf(codedPicture(3), unread)).oddities, told);
-  EXPECT_THAT(pictureCodesOf(fileOf(codedPicture(3), unread)).oddities, told);
+  EXPECT_THAT(asImage(fileWith(codedPicture(3), unread)).oddities, remark);
+  EXPECT_THAT(asColorTexture(fileWith(codedPicture(3), unread)).oddities, remark);
+  EXPECT_THAT(asCodes(fileWith(codedPicture(3), unread)).oddities, remark);
   const CodedColor srgb{.unread_profile = "sRGB IEC61966-2.1"};
-  EXPECT_THAT(imageOf(fileOf(codedPicture(3), srgb)).oddities, IsEmpty());
+  EXPECT_THAT(asImage(fileWith(codedPicture(3), srgb)).oddities, IsEmpty());
 }
 
 // A camera's curve is found by its codes, so that these stay.
 TEST(CodedFile, CodesOfACameraStay) {
-  const PictureCodes read = pictureCodesOf(fileOf(codedPicture(3), kP3));
+  const PictureCodes read = asCodes(fileWith(codedPicture(3), kP3));
   EXPECT_EQ(read.codes.texel(3, 2)[1], codedPicture(3).texel(3, 2)[1]);
   EXPECT_EQ(read.color.primaries, kDisplayP3);
   EXPECT_EQ(read.oddities.size(), 1u);

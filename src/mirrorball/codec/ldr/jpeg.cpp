@@ -131,7 +131,7 @@ Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
   const std::optional<Primaries> primaries = std::exchange(file.color.primaries, std::nullopt);
   CodedColor color = file.color;
   color.primaries = primaries;
-  DecodedImage image = imageOf(std::move(file));
+  DecodedImage image = asImage(std::move(file));
   image.color = describeColor(color, image.image.channels());
   MIRRORBALL_TRY_VOID(applyGainMap(bytes, orientation, image));
   convertToRec709(image.image, primaries);

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <jpeglib.h>
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/coded_file.h"
 #include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/ldr/jpeg_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -20,16 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// How libjpeg is to write a picture.
-struct JpegForm {
-  const char* name = "Plain";
-  int channels = 3;
-  int subsampling = 1;    ///< texels of a colour's sample on either side
-  unsigned interval = 0;  ///< groups of blocks between restart markers
-  bool progressive = false;
-  std::vector<jpeg_scan_info> scans = {};
-};
+using testing::JpegForm;
 
 constexpr int kWidth = 40, kHeight = 60;
 
@@ -43,38 +32,7 @@ Image8 smooth(int channels) {
   return picture;
 }
 
-Bytes jpegFile(const JpegForm& form) {
-  const Image8 picture = smooth(form.channels);
-  jpeg_compress_struct codec;
-  jpeg_error_mgr errors;
-  codec.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&codec);
-  unsigned char* memory = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&codec, &memory, &size);
-  codec.image_width = kWidth;
-  codec.image_height = kHeight;
-  codec.input_components = form.channels;
-  codec.in_color_space = form.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
-  jpeg_set_defaults(&codec);
-  codec.comp_info[0].h_samp_factor = codec.comp_info[0].v_samp_factor = form.subsampling;
-  codec.restart_interval = form.interval;
-  if (form.progressive) jpeg_simple_progression(&codec);
-  if (!form.scans.empty()) {
-    codec.scan_info = form.scans.data();
-    codec.num_scans = static_cast<int>(form.scans.size());
-  }
-  jpeg_start_compress(&codec, TRUE);
-  for (int y = 0; y < kHeight; ++y) {
-    JSAMPROW row = const_cast<JSAMPLE*>(picture.row(y).data());
-    jpeg_write_scanlines(&codec, &row, 1);
-  }
-  jpeg_finish_compress(&codec);
-  jpeg_destroy_compress(&codec);
-  Bytes bytes(memory, memory + size);
-  std::free(memory);
-  return bytes;
-}
+Bytes jpegFile(const JpegForm& form) { return testing::jpegFile(smooth(form.channels), form); }
 
 /// Where the data of the first scan begin.
 std::size_t firstScan(const Bytes& bytes) {
@@ -237,7 +195,7 @@ TEST(JpegOddity, DamageReachesToTheNextRestart) {
   EXPECT_THAT(read->oddities, ElementsAre(HasSubstr("is damaged from row 16 on")));
 }
 
-TEST(JpegOddity, IsToldOfLightTexturesNumbersAndCodes) {
+TEST(JpegOddity, IsReportedOfLightTexturesNumbersAndCodes) {
   Bytes bytes = jpegFile({});
   bytes.resize(bytes.size() * 3 / 4);
   const auto ends = ElementsAre(HasSubstr("ends before its last row: the "));

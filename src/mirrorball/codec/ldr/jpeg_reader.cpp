@@ -52,14 +52,14 @@ struct Decompressor {
 };
 
 /// How many bytes libjpeg has taken.
-std::size_t placeOf(const Decompressor& decoder, std::size_t size) {
+std::size_t takenBytes(const Decompressor& decoder, std::size_t size) {
   const std::size_t left = decoder.codec.src ? decoder.codec.src->bytes_in_buffer : size;
   return size - std::min(left, size);
 }
 
 tl::unexpected<Error> damagedAt(const Decompressor& decoder, std::size_t size, const std::string& text) {
   return fail(ErrorCode::bad_file,
-              "is a damaged JPEG, at byte " + std::to_string(placeOf(decoder, size)) + ": " + text);
+              "is a damaged JPEG, at byte " + std::to_string(takenBytes(decoder, size)) + ": " + text);
 }
 
 tl::unexpected<Error> jpegFailure(const Decompressor& decoder, std::size_t size) {
@@ -161,7 +161,7 @@ Result<JpegPicture> readUpTo(std::span<const std::uint8_t> bytes, CodeForm form,
   if (Result<void> read = readRows(decoder, picture, bytes.size()); !read) {
     constexpr std::size_t kEndMarker = 2;  // which libjpeg supplies itself where the bytes end
     const bool is_by_libjpeg = decoder.errors.code != 0;
-    if (is_by_libjpeg) end = segmentBetweenScans(bytes, placeOf(decoder, bytes.size()) + kEndMarker);
+    if (is_by_libjpeg) end = segmentBetweenScans(bytes, takenBytes(decoder, bytes.size()) + kEndMarker);
     return tl::unexpected<Error>(std::move(read).error());
   }
   const std::size_t missing_rows = decoder.damage.missingRows();

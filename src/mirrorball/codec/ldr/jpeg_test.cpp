@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <jpeglib.h>
 #include <sys/resource.h>
 
 #include "mirrorball/codec/color/icc_testing.h"
@@ -17,6 +14,7 @@
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/exif_testing.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/jpeg_testing.h"
 #include "mirrorball/codec/written_format_testing.h"
 #include "mirrorball/image/upright.h"
 #include "test_data.h"
@@ -44,37 +42,8 @@ Bytes encoded(const Image8& picture, const Metadata& metadata = {}) {
   return result ? std::move(*result) : Bytes();
 }
 
-/// A JPEG of grey 4-component texels, or a progressive one, as this program does not write them.
-///
-/// scans    of a progressive file; none: as libjpeg chooses them
-Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive,
-                  const std::vector<jpeg_scan_info>& scans = {}) {
-  jpeg_compress_struct codec;
-  jpeg_error_mgr errors;
-  codec.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&codec);
-  unsigned char* memory = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&codec, &memory, &size);
-  codec.image_width = codec.image_height = 20;
-  codec.input_components = components;
-  codec.in_color_space = space;
-  jpeg_set_defaults(&codec);
-  if (progressive) jpeg_simple_progression(&codec);
-  if (!scans.empty()) {
-    codec.scan_info = scans.data();
-    codec.num_scans = static_cast<int>(scans.size());
-  }
-  jpeg_start_compress(&codec, TRUE);
-  Bytes row(std::size_t(20 * components), 100);
-  JSAMPROW pointer = row.data();
-  for (int y = 0; y < 20; ++y) jpeg_write_scanlines(&codec, &pointer, 1);
-  jpeg_finish_compress(&codec);
-  jpeg_destroy_compress(&codec);
-  Bytes bytes(memory, memory + size);
-  std::free(memory);
-  return bytes;
-}
+/// A small grey picture as this program does not write it.
+Bytes foreignFile(const testing::JpegForm& form) { return testing::jpegFile(Image8(20, 20, form.channels, 100), form); }
 
 /// Where the frame header's marker stands (SOF0: baseline).
 std::size_t frameHeader(const Bytes& bytes) {
@@ -172,12 +141,13 @@ TEST(Jpeg, IsUprightAsItsExifSays) {
   }
 }
 
-TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true))); }
+TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile({.progressive = true}))); }
 
 // Such a file takes hours for a few megabytes (of a large image; here it is small).
 TEST(Jpeg, AFileOfEndlessScansIsRefused) {
   // The mean of each block, then all other frequencies: a scan that may come again and again.
-  const Bytes bytes = foreignFile(JCS_GRAYSCALE, 1, true, {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}});
+  const Bytes bytes =
+      foreignFile({.channels = 1, .progressive = true, .scans = {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}}});
   constexpr std::array<std::uint8_t, 2> kStartOfScan{0xff, 0xda};
   const auto scan = std::find_end(bytes.begin(), bytes.end(), kStartOfScan.begin(), kStartOfScan.end());
   const auto end = bytes.end() - 2;  // of the last scan: the end marker follows
@@ -193,7 +163,7 @@ TEST(Jpeg, AFileOfEndlessScansIsRefused) {
 }
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
-  const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false));
+  const auto cmyk = decodeJpeg(foreignFile({.channels = 4}));
   ASSERT_FALSE(cmyk);
   EXPECT_EQ(cmyk.error().code, ErrorCode::unsupported);
   EXPECT_THAT(cmyk.error().message, HasSubstr("CMYK"));

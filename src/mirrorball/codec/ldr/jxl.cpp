@@ -90,7 +90,7 @@ class JxlFile {
     if (!decoder_) return fail(ErrorCode::too_large, "not enough memory to decode it");
     JxlDecoderSetParallelRunner(decoder_.get(), runInParallel, nullptr);
     JxlDecoderSetUnpremultiplyAlpha(decoder_.get(), JXL_TRUE);
-    JxlDecoderSetKeepOrientation(decoder_.get(), JXL_TRUE);  // turned as all formats are, and told
+    JxlDecoderSetKeepOrientation(decoder_.get(), JXL_TRUE);  // turned by us, with a remark, as all formats are
     JxlDecoderSubscribeEvents(decoder_.get(), JXL_DEC_BASIC_INFO | JXL_DEC_COLOR_ENCODING | JXL_DEC_FULL_IMAGE);
     JxlDecoderSetInput(decoder_.get(), bytes_.data(), bytes_.size());
     JxlDecoderCloseInput(decoder_.get());

@@ -142,7 +142,7 @@ TEST(UltraHdr, WhereTheMapIsGoneThePictureIsRead) {
   EXPECT_NEAR(decoded->image.samples()[0], 0.2158605f, 1e-5f);
 }
 
-// Whatever is left of such a file is light that it holds, or the picture, and then that is told.
+// Whatever is left of such a file gives its light, or the picture with a remark.
 TEST(UltraHdr, WhereTheMapEndsEarlyThePictureIsRead) {
   const Bytes bytes = evenUltraHdr();
   for (std::size_t length = 0; length + 2 < bytes.size(); ++length) {

@@ -53,7 +53,7 @@ Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures&
   return picture;
 }
 
-/// The chunks of a file that are no picture.
+/// The chunks beside the picture.
 class WebpChunks {
  public:
   explicit WebpChunks(Span bytes) : data_{bytes.data(), bytes.size()}, demuxer_(WebPDemux(&data_), &WebPDemuxDelete) {}

@@ -71,7 +71,7 @@ TEST(Webp, AProfileIsNamedAndOneOfAMatrixConverted) {
 TEST(Webp, IsUprightAsItsExifSays) {
   const Image8 source = picture(3);
   for (const bool is_named : {false, true}) {  // some writers put JPEG's name before it
-    const Bytes exif = testing::exifOf({.exposure_time_s = 0.25, .orientation = 6});
+    const Bytes exif = testing::exifBlock({.exposure_time_s = 0.25, .orientation = 6});
     const Bytes chunk(exif.begin() + (is_named ? 0 : 6), exif.end());
     const Bytes bytes = testing::extendedWebp(source, 0x08, "EXIF", chunk);
     const auto turned = decodeImage(bytes);

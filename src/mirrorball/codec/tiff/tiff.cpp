@@ -221,7 +221,7 @@ std::string colorText(const TiffLayout& layout) {
 }
 
 /// What is unusual about floats.
-std::vector<std::string> odditiesOf(const TiffLayout& layout) {
+std::vector<std::string> floatOddities(const TiffLayout& layout) {
   std::vector<std::string> oddities;
   if (std::string remark = uprightRemark(layout.orientation, kTiffOrientation); !remark.empty())
     oddities.push_back(std::move(remark));
@@ -238,13 +238,13 @@ Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (!layout.is_float) {
     MIRRORBALL_TRY(codes, readPicture(file, layout, options.progress));
-    return imageOf(codedFileOf(std::move(codes), layout, bytes));
+    return asImage(codedFileOf(std::move(codes), layout, bytes));
   }
   MIRRORBALL_TRY(stored, readLight(file, layout, options.progress));
   Image light = upright(std::move(stored), layout.orientation);
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
   DecodedImage image{std::move(light), {}, formatText(layout), colorText(layout)};
-  image.oddities = odditiesOf(layout);
+  image.oddities = floatOddities(layout);
   return image;
 }
 

@@ -17,8 +17,8 @@
 namespace mirrorball {
 namespace {
 
-/// Tells what is odd about a picture's file.
-void warnOf(const std::vector<std::string>& oddities, const std::string& path, Scene& scene) {
+/// Reports what is odd about a picture's file.
+void warnAbout(const std::vector<std::string>& oddities, const std::string& path, Scene& scene) {
   for (const std::string& oddity : oddities) scene.warnings.push_back(path + ": " + oddity);
 }
 
@@ -28,7 +28,7 @@ Result<Texels> pictureOf(Scene& scene, const MaterialMap& map, const std::string
   if (contains(names, path)) return Texels(builtinPicture(path));
   MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(read, withName(path, map.srgb ? decodeColorTexture(bytes) : decodeDataTexture(bytes)));
-  warnOf(read.oddities, path, scene);
+  warnAbout(read.oddities, path, scene);
   scene.files.push_back(path);
   return Result<Texels>(std::move(read.picture));
 }
@@ -75,7 +75,7 @@ bool stretchToUnit(Image& heights) {
 Result<PictureHeights> readHeights(const std::string& path, Scene& scene) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(read, withName(path, decodeNumbers(bytes)));
-  warnOf(read.oddities, path, scene);
+  warnAbout(read.oddities, path, scene);
   PictureHeights of_picture = heightsOfPicture(std::move(read.picture));
   MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
   MIRRORBALL_TRY_VOID(withName(path, checkRange(of_picture.heights)));
@@ -109,7 +109,7 @@ Result<void> setSlopes(Scene& scene, const std::string& path) {
   MIRRORBALL_TRY_VOID(checkGiven("derivative_map", path));
   MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(read, withName(path, decodeNumbers(bytes)));
-  warnOf(read.oddities, path, scene);
+  warnAbout(read.oddities, path, scene);
   MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(read.picture, holdsCodes(bytes))));
   if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");

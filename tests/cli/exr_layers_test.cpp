@@ -28,7 +28,7 @@ class ExrLayersTest : public testing::CliTest {
   }
 };
 
-TEST_F(ExrLayersTest, ThePictureIsConvertedAndTheChoiceTold) {
+TEST_F(ExrLayersTest, ThePictureIsConvertedWithARemarkOnTheChoice) {
   const testing::Outcome outcome = run("convert layers.exr -o out.exr --to equirect");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err,
@@ -58,8 +58,8 @@ TEST_F(ExrLayersTest, InfoListsAll) {
 TEST_F(ExrLayersTest, ALayerIsComparedByItsName) {
   write("emit.exr", constantFile({{"R", 4}, {"G", 8}, {"B", 12}}));
   EXPECT_THAT(succeed("compare layers.exr emit.exr --layer Emit"), HasSubstr("RMSE      0"));
-  const testing::Outcome told = run("compare layers.exr emit.exr");
-  EXPECT_THAT(told.err, HasSubstr("rgba was read; --layer NAME takes another"));
+  const testing::Outcome outcome = run("compare layers.exr emit.exr");
+  EXPECT_THAT(outcome.err, HasSubstr("rgba was read; --layer NAME takes another"));
   EXPECT_THAT(refuse(1, "compare layers.exr emit.exr --layer X"), HasSubstr("no layer is named 'X'"));
   EXPECT_THAT(refuse(1, "compare emit.exr emit.exr --layer Emit"), HasSubstr("have no layers; leave --layer out"));
 }

@@ -11,7 +11,7 @@ namespace mirrorball {
 /// --layer, of what reads pictures (ImageReadOptions::layer); of maps, --from names it.
 OptionText layerText(std::string_view group = {});
 
-/// What is unusual in a picture's file (DecodedImage::oddities); where its layer was guessed, with how another is taken.
+/// What is unusual in a picture's file (DecodedImage::oddities); how to take another layer, where it was guessed.
 ///
 /// way   "{option:layer} NAME"
 std::vector<std::string> withOtherLayer(std::vector<std::string> oddities, bool is_layer_guessed,

@@ -59,7 +59,7 @@ void readChroma(std::span<const std::uint8_t> bytes, const ExrPart& part, Image&
   }
 }
 
-/// All rows, in blocks between which the progress is told; no compression packs more rows together.
+/// All rows, in blocks between which the progress is reported; no compression packs more rows together.
 Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Image& image) {
   constexpr int kRowsOfBlock = 256;
   ProgressCounter rows(progress, std::size_t(part.height()));

@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// Decodes an OpenEXR file: scan lines or tiles (the largest level), any compression and sample type. The image is the
 /// layer that the file means as its picture, or the one that is asked for (exr_layer.h), in the display window
-/// (exr_window.h): black outside of the data window. Numbers that are no light are read as they are. Chromaticities
+/// (exr_window.h): black outside of the data window. Numbers other than light are read as they are. Chromaticities
 /// other than Rec.709's are converted. Alpha is premultiplied.
 ///
 /// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no picture, deep data);

@@ -105,7 +105,7 @@ std::size_t prefixLength(std::string_view name) {
 }
 
 /// Groups by their prefixes, in the order of the file.
-std::vector<std::pair<std::string, ChannelGroup>> groupsOf(const ExrPartNames& part) {
+std::vector<std::pair<std::string, ChannelGroup>> grouped(const ExrPartNames& part) {
   std::vector<std::pair<std::string, ChannelGroup>> groups;
   std::map<std::string, std::size_t> places;
   for (const ExrChannelName& channel : part.channels) {
@@ -220,7 +220,7 @@ Result<std::size_t> layerNamed(std::span<const ExrLayer> layers, const std::stri
   return tl::unexpected<Error>(std::move(error));
 }
 
-/// A choice that nobody asked for, and what is told of it.
+/// A choice that nobody asked for, and the remark on it.
 ExrLayerChoice guess(std::span<const ExrLayer> layers, std::size_t index) {
   const ExrLayer& taken = layers[index];
   std::vector<const ExrLayer*> pictures;
@@ -246,7 +246,7 @@ std::vector<ExrLayer> exrLayers(std::span<const ExrPartNames> parts) {
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].is_deep) continue;
     const Views views(parts[p]);
-    for (auto& [prefix, channels] : groupsOf(parts[p])) {
+    for (auto& [prefix, channels] : grouped(parts[p])) {
       const std::string group = groupName(parts[p], parts.size() > 1, prefix);
       std::vector<ExrLayer> layers = takeAll(std::move(channels), p == 0 && prefix != ".");
       nameLayers(group, layers);
@@ -285,9 +285,9 @@ Result<ExrLayerChoice> chooseExrLayer(std::span<const ExrLayer> layers, const st
 }
 
 std::vector<PictureLayer> pictureLayers(std::span<const ExrLayer> layers) {
-  std::vector<PictureLayer> told;
-  for (const ExrLayer& layer : layers) told.push_back({layer.name, join(layer.channels, " ")});
-  return told;
+  std::vector<PictureLayer> named;
+  for (const ExrLayer& layer : layers) named.push_back({layer.name, join(layer.channels, " ")});
+  return named;
 }
 
 }  // namespace mirrorball

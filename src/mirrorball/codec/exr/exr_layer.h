@@ -49,7 +49,7 @@ struct ExrLayer {
 
 /// All images that a file holds, in its order. A layer is what stands before a channel's last dot, unless that is the
 /// name's first or last character; within it go together R G B (A), in five spellings, else Y RY BY (A), else Y (A),
-/// unless an X stands beside it; then X Y Z and X Y, U V W and U V; and any other channel is a layer by itself. Channels
+/// unless an X stands beside it; then X Y Z and X Y, U V W and U V. Any other channel is a layer by itself. Channels
 /// without a layer are named after their part, if the file has several, else after themselves: "RGBA", "XYZ", "Z".
 /// Deep parts and subsampled channels without luminance are left out.
 ///
@@ -71,7 +71,7 @@ struct ExrLayerChoice {
 /// errors   not_found (no layer of that name; lists them); unsupported (none is a picture, and there are several)
 Result<ExrLayerChoice> chooseExrLayer(std::span<const ExrLayer> layers, const std::string& wanted);
 
-/// What is told of them: DecodedImage::layers.
+/// Their names and channels: DecodedImage::layers.
 std::vector<PictureLayer> pictureLayers(std::span<const ExrLayer> layers);
 
 }  // namespace mirrorball

@@ -13,8 +13,8 @@ enum class ExrLayerRank {
   variant,     ///< a name with such a word: "Beauty_denoised", "RGBA_key", "RGB color"
   unknown,     ///< any other name
   light,       ///< a share of the picture's light: "diffuse", "GlossDir", "Emit"
-  aid,         ///< shares and weights that are no light: "AO", "albedo", "mask"
-  numbers,     ///< what is no colour, though its channels are: "Normal.R", "crypto_object00.r", "depth.Y"
+  aid,         ///< weights, and colours of surfaces: "AO", "albedo", "mask"
+  numbers,     ///< numbers in channels of colours: "Normal.R", "crypto_object00.r", "depth.Y"
 };
 
 /// A rank, and the order among names of it, less first.

@@ -22,7 +22,7 @@
 namespace mirrorball {
 namespace {
 
-ExrPartNames namesOf(const Imf::Header& header) {
+ExrPartNames readNames(const Imf::Header& header) {
   ExrPartNames names;
   if (header.hasName()) names.name = header.name();
   if (header.hasView()) names.view = header.view();
@@ -44,7 +44,7 @@ Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream, std::uint64_
   part.stream_ = std::move(stream);
   part.file_ = std::make_unique<Imf::MultiPartInputFile>(*part.stream_, Imf::globalThreadCount(), kMendOffsets);
   std::vector<ExrPartNames> names;
-  for (int i = 0; i < part.file_->parts(); ++i) names.push_back(namesOf(part.file_->header(i)));
+  for (int i = 0; i < part.file_->parts(); ++i) names.push_back(readNames(part.file_->header(i)));
   part.layers_ = exrLayers(names);
   MIRRORBALL_TRY(choice, chooseExrLayer(part.layers_, layer));
   part.choice_ = std::move(choice);

@@ -47,7 +47,7 @@ class ExrPart {
   /// Tells of its window and its layers; `To` is DecodedImage or RowReader::Description.
   template <typename To>
   void tell(To& to) const {
-    to.window = window_.told;
+    to.window = window_.part;
     to.layer = layer().name;
     if (layers_.size() > 1) to.layers = pictureLayers(layers_);
     to.is_layer_guessed = choice_.is_guessed;

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// "rgba: R G B" of each.
-std::vector<std::string> told(const std::vector<PictureLayer>& layers) {
+std::vector<std::string> layerTexts(const std::vector<PictureLayer>& layers) {
   std::vector<std::string> texts;
   for (const PictureLayer& layer : layers) texts.push_back(layer.name + ": " + layer.channels);
   return texts;
@@ -35,8 +35,8 @@ TEST(ExrPicture, OfBlendersLayersIsTheCombinedOne) {
   EXPECT_THAT(back.image.samples().first(4), ElementsAre(1.0f, 2.0f, 3.0f, 0.5f));
   EXPECT_EQ(back.layer, "View.Combined");
   EXPECT_TRUE(back.is_layer_guessed);
-  EXPECT_THAT(told(back.layers), ElementsAre("View.AO: R G B", "View.Combined: R G B A", "View.Depth: Z",
-                                             "View.Emit: R G B", "View.Normal: X Y Z"));
+  EXPECT_THAT(layerTexts(back.layers), ElementsAre("View.AO: R G B", "View.Combined: R G B A", "View.Depth: Z",
+                                                   "View.Emit: R G B", "View.Normal: X Y Z"));
   EXPECT_THAT(back.oddities, ElementsAre("has several pictures (View.Combined, View.Emit): View.Combined was read"));
   EXPECT_EQ(back.format, "OpenEXR, float, ZIP, layer View.Combined");
 }
@@ -98,7 +98,7 @@ TEST(ExrPicture, OfSeveralPartsIsThePartSoNamed) {
                              {"rgba", {{"R", 1}, {"G", 2}, {"B", 3}}}}));
   EXPECT_THAT(back.image.samples().first(3), ElementsAre(1.0f, 2.0f, 3.0f));
   EXPECT_EQ(back.layer, "rgba");
-  EXPECT_THAT(told(back.layers), ElementsAre("depth: Z", "albedo: R G B", "rgba: R G B"));
+  EXPECT_THAT(layerTexts(back.layers), ElementsAre("depth: Z", "albedo: R G B", "rgba: R G B"));
   EXPECT_EQ(back.format, "OpenEXR, float, ZIP, layer rgba, part 3");
 }
 

@@ -7,15 +7,18 @@
 namespace mirrorball {
 namespace {
 
-/// The most texels of a display window that one byte of a real file stands for: 8 × 8 texels of 4096 × 2048 have 17 000.
-/// More than this is a lie that would only cost memory.
+/// The most texels of a display window that one byte of a real file stands for: 8 × 8 texels of 4096 × 2048 have 17 000
+/// a byte. More than this is a lie that would only cost memory.
 constexpr std::uint64_t kMaxTexelsPerByteOfWindow = 1 << 15;
 
-glm::ivec2 sizeOf(const Imath::Box2i& window) {
+glm::ivec2 extent(const Imath::Box2i& window) {
   return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
 }
 
-std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+std::string sizeText(const Imath::Box2i& window) {
+  const glm::ivec2 size = extent(window);
+  return std::to_string(size.x) + "x" + std::to_string(size.y);
+}
 
 bool contains(const Imath::Box2i& outer, const Imath::Box2i& inner) {
   return outer.intersects(inner.min) && outer.intersects(inner.max);
@@ -34,12 +37,11 @@ Result<void> checkDisplayWindow(const Imath::Box2i& window, std::uint64_t file_s
 }
 
 std::string describe(const ExrWindow& window) {
-  const std::string whole = sizeText(sizeOf(window.picture));
+  const std::string whole = sizeText(window.picture);
   if (contains(window.picture, window.data))
-    return "holds " + sizeText(sizeOf(window.data)) + " of the " + whole +
+    return "holds " + sizeText(window.data) + " of the " + whole +
            " texels of its display window: what lies outside is black";
-  const std::string beyond =
-      "holds " + sizeText(sizeOf(window.data)) + " texels, beyond its display window of " + whole;
+  const std::string beyond = "holds " + sizeText(window.data) + " texels, beyond its display window of " + whole;
   return beyond + (window.isFull() ? ": what lies outside is cut off"
                                    : ": what lies outside is cut off, and what it lacks is black");
 }
@@ -59,10 +61,10 @@ Result<ExrWindow> exrWindow(const Imf::Header& header, std::uint64_t file_size) 
   }
   MIRRORBALL_TRY_VOID(checkDisplayWindow(display, file_size));
   ExrWindow window{display, data};
-  window.told = PictureWindow{.whole = sizeOf(display),
+  window.part = PictureWindow{.whole = extent(display),
                               .corner = {data.min.x - display.min.x, data.min.y - display.min.y},
                               .source = "its display window",
-                              .size = sizeOf(data)};
+                              .size = extent(data)};
   window.oddity = describe(window);
   return window;
 }

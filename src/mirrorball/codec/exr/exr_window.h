@@ -16,7 +16,7 @@ namespace mirrorball {
 struct ExrWindow {
   Imath::Box2i picture;                    ///< the display window; the last texels are in it
   Imath::Box2i data;                       ///< the data window
-  std::optional<PictureWindow> told = {};  ///< DecodedImage::window
+  std::optional<PictureWindow> part = {};  ///< DecodedImage::window
   std::string oddity = {};                 ///< DecodedImage::oddities
 
   int width() const { return picture.max.x - picture.min.x + 1; }
@@ -33,8 +33,8 @@ struct ExrWindow {
 ///
 /// file_size  in bytes
 /// errors     bad_file, too_large: a display window that no file of that size is for
-/// from       OpenEXR, "Technical Introduction": Pixel Space, Display Window and Data Window; ImfEnvmap.h (directions are
-///            told by the data window)
+/// from       OpenEXR, "Technical Introduction": Pixel Space, Display Window and Data Window; ImfEnvmap.h (directions
+///            follow the data window)
 Result<ExrWindow> exrWindow(const Imf::Header& header, std::uint64_t file_size);
 
 }  // namespace mirrorball

@@ -70,7 +70,7 @@ struct WindowCase {
   const char* name;
   glm::ivec2 corner;
   glm::ivec2 size;
-  const char* told;
+  const char* remark;
 };
 
 constexpr std::array<WindowCase, 6> kWindowCases{{
@@ -107,7 +107,7 @@ TEST(ExrWindow, ThePictureIsTheDisplayWindow) {
         const DecodedImage back = decoded(bytes);
         expectSameBits(back.image, right);
         expectSameBits(byRows(bytes), right);
-        EXPECT_THAT(back.oddities, ::testing::ElementsAre(c.told));
+        EXPECT_THAT(back.oddities, ::testing::ElementsAre(c.remark));
         ASSERT_TRUE(back.window);
         EXPECT_EQ(back.window->whole, kWhole);
         EXPECT_EQ(back.window->corner, c.corner);
@@ -142,7 +142,7 @@ TEST(ExrWindow, OfGreyWithAlphaAndOfTwoNumbersIsBlackOutside) {
   EXPECT_EQ(numbers->image.texel(14, 3)[0], 0.0f);
 }
 
-// ImfEnvmap.h: directions are told by the data window.
+// ImfEnvmap.h: directions follow the data window.
 TEST(ExrWindow, OfAnEnvironmentMapOfOpenExrIsTheDataWindow) {
   const Image image = gradient(8, 4, 3);
   Imf::Header header = windows({100, 100}, {20, 30}, {8, 4});

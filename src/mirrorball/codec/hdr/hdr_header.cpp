@@ -237,7 +237,9 @@ Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes) {
     MIRRORBALL_TRY_VOID(variables.read(*line));
   }
   variables.finish();
-  const auto line = lines.next();
+  auto line = lines.next();
+  // Some end the header with two empty lines.
+  if (line && line->empty()) line = lines.next();
   if (!line) return ends_early();
   MIRRORBALL_TRY_VOID(readResolution(*line, lines, header));
   header.size = lines.position();

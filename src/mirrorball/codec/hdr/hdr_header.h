@@ -43,7 +43,7 @@ bool beginsWithHdrHeader(std::span<const std::uint8_t> bytes);
 
 /// Parses the header: text lines, an empty line, the resolution line. Blanks around values, and between and behind
 /// numbers, are read over; lines that Radiance does not define say nothing, and neither does a line that other readers
-/// pass over and that cannot be meant: then an oddity is told.
+/// pass over and that cannot be meant: `oddities` has it.
 ///
 /// errors   bad_file, too_large or unsupported, with the line's number
 /// from     G. Ward, "The RADIANCE Picture File Format"; Radiance's "File formats"

@@ -33,7 +33,7 @@ DecodedImage pictureBehind(const std::string& header, const std::string& resolut
 }
 
 glm::vec3 lightBehind(const std::string& header) { return rgbAt(pictureBehind(header).image, 1, 0); }
-Oddities odditiesOf(const std::string& header) { return pictureBehind(header).oddities; }
+Oddities remarksOn(const std::string& header) { return pictureBehind(header).oddities; }
 
 TEST(HdrHeader, SpellingsOfProgramsAreReadInSilence) {
   const std::string spellings[] = {
@@ -43,6 +43,7 @@ TEST(HdrHeader, SpellingsOfProgramsAreReadInSilence) {
       "#?\n" + kFormat + "\n",
       "#?RADIANCE\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n",
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe \n\n",
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n\n",
       "#?RADIANCE\nFORMAT= 32-bit_rle_rgbe\n \t\n",
       "#?RADIANCE\nFORMAT =\t32-bit_rle_rgbe\n\n",
       // Photoshop's, FreeImage's without its exposure, rpict's.
@@ -53,7 +54,7 @@ TEST(HdrHeader, SpellingsOfProgramsAreReadInSilence) {
   };
   for (const std::string& spelling : spellings) {
     EXPECT_EQ(lightBehind(spelling), glm::vec3(16, 32, 64)) << spelling;
-    EXPECT_THAT(odditiesOf(spelling), IsEmpty()) << spelling;
+    EXPECT_THAT(remarksOn(spelling), IsEmpty()) << spelling;
   }
 }
 
@@ -70,19 +71,19 @@ TEST(HdrHeader, AnExposureThatCannotBeDividedOutIsOne) {
   // FreeImage writes 0.
   const std::string substance = "#?RADIANCE\n# Made with FreeImage 3.17.0\n" + kFormat + "GAMMA=1\nEXPOSURE=0\n\n";
   EXPECT_EQ(lightBehind(substance), glm::vec3(16, 32, 64));
-  EXPECT_THAT(odditiesOf(substance), ElementsAre("line 5 says EXPOSURE=0, which cannot be divided out: taken as 1"));
+  EXPECT_THAT(remarksOn(substance), ElementsAre("line 5 says EXPOSURE=0, which cannot be divided out: taken as 1"));
   for (const char* wrong : {"EXPOSURE=-2", "EXPOSURE=nan", "EXPOSURE=", "EXPOSURE=1e300", "EXPOSURE=1 2",
                             "EXPOSURE=bright", "COLORCORR=1 2", "COLORCORR=1 0 1", "COLORCORR=1,2,3"}) {
     const std::string header = "#?RADIANCE\n" + kFormat + "EXPOSURE=2\n" + wrong + "\nEXPOSURE=4\n\n";
     EXPECT_EQ(lightBehind(header), glm::vec3(2, 4, 8)) << wrong << " hides no other line";
-    EXPECT_THAT(odditiesOf(header), ElementsAre(::testing::StartsWith("line 4 says "))) << wrong;
+    EXPECT_THAT(remarksOn(header), ElementsAre(::testing::StartsWith("line 4 says "))) << wrong;
   }
 }
 
 TEST(HdrHeader, DecimalCommasArePoints) {
   const std::string header = "#?RADIANCE\n" + kFormat + "EXPOSURE=0,500000\nCOLORCORR=1,0 0,5 2\n\n";
   EXPECT_EQ(lightBehind(header), glm::vec3(32, 128, 64));
-  EXPECT_THAT(odditiesOf(header), ElementsAre("has numbers with decimal commas: read as points"));
+  EXPECT_THAT(remarksOn(header), ElementsAre("has numbers with decimal commas: read as points"));
 }
 
 TEST(HdrHeader, LinesOfPicturesThatItWasMadeOfSayNothing) {
@@ -90,19 +91,19 @@ TEST(HdrHeader, LinesOfPicturesThatItWasMadeOfSayNothing) {
 }
 
 TEST(HdrHeader, WhatIsMissingIsTold) {
-  EXPECT_THAT(odditiesOf("#?RADIANCE\n\n"), ElementsAre("does not say its FORMAT: read as 32-bit_rle_rgbe"));
-  EXPECT_THAT(odditiesOf("rpict -vp 0 0 0\n" + kFormat + "\n"),
+  EXPECT_THAT(remarksOn("#?RADIANCE\n\n"), ElementsAre("does not say its FORMAT: read as 32-bit_rle_rgbe"));
+  EXPECT_THAT(remarksOn("rpict -vp 0 0 0\n" + kFormat + "\n"),
               ElementsAre("lacks the signature '#?RADIANCE': read as what its FORMAT says"));
-  EXPECT_THAT(odditiesOf("\xef\xbb\xbf" + kUsual), ElementsAre("begins with a byte-order mark: left out"));
+  EXPECT_THAT(remarksOn("\xef\xbb\xbf" + kUsual), ElementsAre("begins with a byte-order mark: left out"));
   EXPECT_EQ(lightBehind("\xef\xbb\xbf" + kUsual), glm::vec3(16, 32, 64));
 }
 
 TEST(HdrHeader, WhatIsNotAppliedIsTold) {
   const std::string header = "#?RADIANCE\n" + kFormat + "GAMMA=2.2\nPIXASPECT=0.5\nPIXASPECT=0.5\n\n";
   EXPECT_EQ(lightBehind(header), glm::vec3(16, 32, 64));
-  EXPECT_THAT(odditiesOf(header), ElementsAre("says GAMMA=2.2, which Radiance does not define: not applied",
-                                              "says PIXASPECT=0.25: its pixels are taken as square"));
-  EXPECT_THAT(odditiesOf("#?RADIANCE\n" + kFormat + "PIXASPECT=1.002\nGAMMA=?\n\n"), IsEmpty());
+  EXPECT_THAT(remarksOn(header), ElementsAre("says GAMMA=2.2, which Radiance does not define: not applied",
+                                             "says PIXASPECT=0.25: its pixels are taken as square"));
+  EXPECT_THAT(remarksOn("#?RADIANCE\n" + kFormat + "PIXASPECT=1.002\nGAMMA=?\n\n"), IsEmpty());
 }
 
 TEST(HdrHeader, OtherTextsAreNone) {

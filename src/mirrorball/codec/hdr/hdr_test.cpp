@@ -278,7 +278,7 @@ TEST(Hdr, HeaderErrorsNameTheLine) {
   EXPECT_THAT(decodingError(file("A=1\nFORMAT=raw\n", "-Y 1 +X 1", {})).message, HasSubstr("line 3"));
   EXPECT_THAT(decodingError(file("PRIMARIES=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("8 numbers behind"));
   for (const char* resolution :
-       {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1", "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 1", ""})
+       {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1", "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 1"})
     EXPECT_THAT(decodingError(file("", resolution, {1, 1, 1, 1})).message, HasSubstr("line 3 should be the resolution"))
         << resolution;
 }

@@ -19,6 +19,7 @@ struct DescribedColor {
   int model = 1;  ///< 1: red, green, blue, alpha; 163, 166 and 167 are Basis Universal's
   bool srgb = false;
   std::optional<Primaries> primaries;  ///< nothing where they are Rec.709's or unspecified
+  bool is_missing = false;             ///< the file has none, or an empty one
 };
 
 /// Reads a Khronos data format descriptor, as far as the texels' format does not tell it already.

@@ -17,7 +17,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::oldDds;
-using testing::textureOf;
 
 // Where the numbers of the headers stand.
 constexpr std::size_t kHeaderSizeAt = 4;
@@ -29,15 +28,17 @@ constexpr std::size_t kDimensionAt = 132;
 constexpr std::size_t kMiscFlagAt = 136;
 constexpr std::size_t kArraySizeAt = 140;
 
+constexpr auto makeTexture = testing::textureOf;
+
 Bytes with(Bytes file, std::size_t at, std::uint32_t number) {
   for (std::size_t i = 0; i < 4; ++i) file[at + i] = static_cast<std::uint8_t>(number >> 8 * i);
   return file;
 }
 
-Bytes fileOf(const ImageSet& images) { return bytesOfTexture(writeDds, images, {.format = TexelFormat::float32}); }
+Bytes encoded(const ImageSet& images) { return bytesOfTexture(writeDds, images, {.format = TexelFormat::float32}); }
 
-/// Reads a file that should hold the images; returns what was told.
-std::vector<std::string> toldOf(const Bytes& file, const ImageSet& images) {
+/// Reads a file that should hold the images; returns what is remarked.
+std::vector<std::string> remarksOn(const Bytes& file, const ImageSet& images) {
   const auto read = decodeDds(file);
   if (!read) return {"refused: " + read.error().message};
   EXPECT_EQ(read->images.levels(), images.levels());
@@ -56,72 +57,75 @@ std::vector<std::string> toldOf(const Bytes& file, const ImageSet& images) {
   return read->oddities;
 }
 
-TEST(DdsVariants, WhatIsRightIsNotTold) {
-  for (const ImageSet& images : {textureOf(3, 6, 1, 3, 4, 4), textureOf(1, 6, 6, 3, 2, 2), textureOf(3, 1, 1, 3, 4, 4),
-                                 textureOf(1, 1, 6, 3, 4, 4), textureOf(2, 1, 2, 3, 5, 3)})
-    EXPECT_THAT(toldOf(fileOf(images), images), IsEmpty());
+TEST(DdsVariants, WhatIsRightIsNotRemarked) {
+  for (const ImageSet& images :
+       {makeTexture(3, 6, 1, 3, 4, 4), makeTexture(1, 6, 6, 3, 2, 2), makeTexture(3, 1, 1, 3, 4, 4),
+        makeTexture(1, 1, 6, 3, 4, 4), makeTexture(2, 1, 2, 3, 5, 3)})
+    EXPECT_THAT(remarksOn(encoded(images), images), IsEmpty());
 }
 
 TEST(DdsVariants, ACubeMayBeDeclaredInEitherPlace) {
   for (const int layers : {1, 2}) {
-    const ImageSet cube = textureOf(2, 6, layers, 3, 4, 4);
-    EXPECT_THAT(toldOf(with(fileOf(cube), kCaps2At, 0), cube), IsEmpty());
-    EXPECT_THAT(toldOf(with(fileOf(cube), kMiscFlagAt, 0), cube),
+    const ImageSet cube = makeTexture(2, 6, layers, 3, 4, 4);
+    EXPECT_THAT(remarksOn(with(encoded(cube), kCaps2At, 0), cube), IsEmpty());
+    EXPECT_THAT(remarksOn(with(encoded(cube), kMiscFlagAt, 0), cube),
                 ElementsAre("says only in its old header that it is a cube: read as one"));
   }
   // One picture with the old header of a cube has no texels for one.
-  const ImageSet picture = textureOf(1, 1, 1, 3, 4, 4);
-  EXPECT_THAT(toldOf(with(fileOf(picture), kCaps2At, 0xfe00), picture), IsEmpty());
+  const ImageSet picture = makeTexture(1, 1, 1, 3, 4, 4);
+  EXPECT_THAT(remarksOn(with(encoded(picture), kCaps2At, 0xfe00), picture), IsEmpty());
 }
 
 TEST(DdsVariants, ACubesFacesMayBeCountedAsLayers) {
   for (const int cubes : {1, 2}) {
-    const ImageSet cube = textureOf(2, 6, cubes, 3, 4, 4);
-    const Bytes file = with(fileOf(cube), kArraySizeAt, static_cast<std::uint32_t>(6 * cubes));
-    EXPECT_THAT(toldOf(file, cube),
+    const ImageSet cube = makeTexture(2, 6, cubes, 3, 4, 4);
+    const Bytes file = with(encoded(cube), kArraySizeAt, static_cast<std::uint32_t>(6 * cubes));
+    EXPECT_THAT(remarksOn(file, cube),
                 ElementsAre(HasSubstr(cubes == 1 ? "counts 6 layers, and has texels for 1 cube:"
                                                  : "counts 12 layers, and has texels for 2 cubes:")));
-    EXPECT_EQ(toldOf(with(file, kMiscFlagAt, 0), cube).size(), 2u);
+    EXPECT_EQ(remarksOn(with(file, kMiscFlagAt, 0), cube).size(), 2u);
   }
 }
 
 TEST(DdsVariants, NoLayersAreOneAndNoDimensionIsTwo) {
-  const ImageSet cube = textureOf(1, 6, 1, 3, 4, 4);
-  EXPECT_THAT(toldOf(with(fileOf(cube), kArraySizeAt, 0), cube),
+  const ImageSet cube = makeTexture(1, 6, 1, 3, 4, 4);
+  EXPECT_THAT(remarksOn(with(encoded(cube), kArraySizeAt, 0), cube),
               ElementsAre(HasSubstr("array of no layers: read as one")));
-  EXPECT_THAT(toldOf(with(fileOf(cube), kDimensionAt, 0), cube), ElementsAre(HasSubstr("read as two-dimensional")));
+  EXPECT_THAT(remarksOn(with(encoded(cube), kDimensionAt, 0), cube), ElementsAre(HasSubstr("read as two-dimensional")));
 }
 
 TEST(DdsVariants, SizesOfTheHeadersPartsMayBeWrong) {
-  const ImageSet picture = textureOf(1, 1, 1, 3, 4, 4);
-  EXPECT_THAT(toldOf(with(fileOf(picture), kHeaderSizeAt, 24), picture), ElementsAre(HasSubstr("states 24 and 32")));
+  const ImageSet picture = makeTexture(1, 1, 1, 3, 4, 4);
+  EXPECT_THAT(remarksOn(with(encoded(picture), kHeaderSizeAt, 24), picture),
+              ElementsAre(HasSubstr("states 24 and 32")));
   for (const std::uint32_t size : {0u, 24u})
-    EXPECT_THAT(toldOf(with(fileOf(picture), kPixelFormatSizeAt, size), picture),
+    EXPECT_THAT(remarksOn(with(encoded(picture), kPixelFormatSizeAt, size), picture),
                 ElementsAre(HasSubstr("read as 124 and 32")));
 }
 
 TEST(DdsVariants, LevelsAreThoseThatAreThere) {
-  const ImageSet picture = textureOf(3, 1, 1, 3, 4, 4);
-  const Bytes file = fileOf(picture);
-  EXPECT_THAT(toldOf(with(file, kMipCountAt, 4), picture),
+  const ImageSet picture = makeTexture(3, 1, 1, 3, 4, 4);
+  const Bytes file = encoded(picture);
+  EXPECT_THAT(remarksOn(with(file, kMipCountAt, 4), picture),
               ElementsAre("counts 4 mip levels, of which its size has 3: read so"));
   // Without the smallest, and with a part of it.
   for (const std::size_t missing : {1u, 16u})
-    EXPECT_THAT(toldOf(Bytes(file.begin(), file.end() - missing), textureOf(2, 1, 1, 3, 4, 4)),
+    EXPECT_THAT(remarksOn(Bytes(file.begin(), file.end() - missing), makeTexture(2, 1, 1, 3, 4, 4)),
                 ElementsAre("counts 3 mip levels, and has texels for 2: read so"));
-  EXPECT_THAT(toldOf(with(file, kMipCountAt, 0), textureOf(1, 1, 1, 3, 4, 4)), IsEmpty()) << "the largest is asked for";
+  EXPECT_THAT(remarksOn(with(file, kMipCountAt, 0), makeTexture(1, 1, 1, 3, 4, 4)), IsEmpty())
+      << "the largest is asked for";
   // Of several images the second would be read from the first one's levels.
-  const ImageSet cube = textureOf(3, 6, 1, 3, 4, 4);
+  const ImageSet cube = makeTexture(3, 6, 1, 3, 4, 4);
   for (const std::uint32_t count : {0u, 1u, 2u})
-    EXPECT_THAT(toldOf(with(fileOf(cube), kMipCountAt, count), cube),
+    EXPECT_THAT(remarksOn(with(encoded(cube), kMipCountAt, count), cube),
                 ElementsAre(HasSubstr("and has texels for 3: read so")));
 }
 
 TEST(DdsVariants, BytesBehindTheTexelsAreLeftOut) {
-  for (const ImageSet& images : {textureOf(1, 6, 1, 3, 4, 4), textureOf(2, 1, 1, 3, 4, 4)}) {
-    Bytes file = fileOf(images);
+  for (const ImageSet& images : {makeTexture(1, 6, 1, 3, 4, 4), makeTexture(2, 1, 1, 3, 4, 4)}) {
+    Bytes file = encoded(images);
     file.insert(file.end(), 7, std::uint8_t{1});
-    EXPECT_THAT(toldOf(file, images), IsEmpty());
+    EXPECT_THAT(remarksOn(file, images), IsEmpty());
   }
 }
 

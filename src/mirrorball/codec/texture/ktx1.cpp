@@ -105,7 +105,8 @@ class Reader {
     big_endian_ = bytes_[12] == 4;
     if (u32(12) != kByteOrder)
       return fail(ErrorCode::bad_file, "has no byte order mark at byte 12; the file is damaged");
-    TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
+    // gli states no face where there is one (g-truc/gli#98).
+    TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), std::max(u32(52), 1u)};
     if (u32(44) > 1) return unsupportedTexture("a three-dimensional texture", kKtx1Instead);
     if (shape.height == 0 && shape.width > 0) return unsupportedTexture("a one-dimensional texture", kKtx1Instead);
     MIRRORBALL_TRY_VOID(checkTextureShape(shape));
@@ -120,6 +121,7 @@ class Reader {
     MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format));
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
+    if (!values.swizzle.empty()) oddities_.push_back(swizzleRemark(values));
     return DecodedImageSet{.images = std::move(images),
                            .metadata = std::move(values.metadata),
                            .format = "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),

@@ -145,6 +145,12 @@ TEST(Ktx1, SizesOfLevelsThatAreTakenForThoseOfImagesAreReadAndTold) {
   }
 }
 
+TEST(Ktx1, NoFacesAreOne) {
+  const auto read = decodeKtx1(oneLevel({.faces = 0}, 16, floats({1.0f, 2.0f, 3.0f, 4.0f}, false)));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(rgbaAt(read->images.at(0, 0), 0, 0), glm::vec4(1, 2, 3, 4));
+}
+
 TEST(Ktx1, OrientationAndMetadataAreRead) {
   Bytes key_values;
   appendU32(key_values, 23, false);

@@ -209,9 +209,14 @@ Result<DecodedImageSet> decodeKtx2(Span bytes) {
     convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);
   });
-  return DecodedImageSet{std::move(images), std::move(values.metadata),
-                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
-                         describeColor(curveOf(format), color.primaries, imageChannels(format))};
+  std::vector<std::string> oddities;
+  if (color.is_missing) oddities.emplace_back("has no data format descriptor: read as its vkFormat says");
+  if (!values.swizzle.empty()) oddities.push_back(swizzleRemark(values));
+  return DecodedImageSet{.images = std::move(images),
+                         .metadata = std::move(values.metadata),
+                         .format = "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+                         .color = describeColor(curveOf(format), color.primaries, imageChannels(format)),
+                         .oddities = std::move(oddities)};
 }
 
 }  // namespace mirrorball

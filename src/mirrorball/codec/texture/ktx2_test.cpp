@@ -1,6 +1,8 @@
 #include "mirrorball/codec/texture/ktx2.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,6 +40,35 @@ ImageSet twoLevels() {
   images.at(0, 0).texel(1, 0)[0] = 2.0f;
   images.at(1, 0) = Image(1, 1, 1, 0.5f);
   return images;
+}
+
+/// As SlimKTX2 wrote the environments of the glTF Sample Viewer: a descriptor without its length, or none.
+TEST(Ktx2, WithoutADescriptorTheFormatsNumberCounts) {
+  constexpr std::size_t kDescriptorSizeAt = 52;
+  const Bytes whole = ktx2File(textureOf(2, 6, 1, 4, 4, 4), {.format = TexelFormat::float32});
+  Bytes empty = whole;
+  putU32(empty, littleU32(whole.data() + 48), 0);
+  Bytes none = whole;
+  putU32(none, kDescriptorSizeAt, 0);
+  for (const Bytes& file : {empty, none}) {
+    const auto read = decodeKtx2(file);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(rgbaAt(read->images.at(1, 5), 1, 1), rgbaAt(decodeKtx2(whole)->images.at(1, 5), 1, 1));
+    EXPECT_THAT(read->oddities, ::testing::ElementsAre("has no data format descriptor: read as its vkFormat says"));
+  }
+  EXPECT_TRUE(decodeKtx2(whole)->oddities.empty());
+}
+
+TEST(Ktx2, ASwizzleIsRemarked) {
+  Bytes file = ktx2File(twoLevels());
+  // In place of KTXwriter, whose key and value are as long: a key of 10 letters with its zero behind.
+  const std::string writer("KTXwriter\0mirrorball\0", 21);
+  const std::string swizzle("KTXswizzle\0bgra\0\0\0\0\0", 21);
+  const auto at = std::search(file.begin(), file.end(), writer.begin(), writer.end());
+  ASSERT_NE(at, file.end());
+  std::copy(swizzle.begin(), swizzle.end(), at);
+  EXPECT_THAT(decodeKtx2(file)->oddities,
+              ::testing::ElementsAre("says KTXswizzle=bgra: its channels are taken as they are stored"));
 }
 
 /// Every byte of a small file, from the KTX 2.0 specification ("File Structure") and the Khronos Data Format

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/metadata.h"
@@ -41,6 +42,7 @@ Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::
     const std::string_view key = entry.substr(0, key_end);
     const std::string_view text = textOf(entry.substr(key_end + 1));
     if (key == "KTXorientation") readOrientation(text, values);
+    if (key == "KTXswizzle" && text != "rgba") values.swizzle = std::string(text);
     if (isMetadataKey(key)) values.metadata[std::string(key)] = std::string(text);
     at += std::min((4 + length + kKeyValueAlignment - 1) / kKeyValueAlignment * kKeyValueAlignment, left);
   }
@@ -60,6 +62,10 @@ Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version) {
     writer.alignTo(kKeyValueAlignment);
   }
   return writer.takeBytes();
+}
+
+std::string swizzleRemark(const KtxKeyValues& values) {
+  return "says KTXswizzle=" + excerpt(values.swizzle, 8) + ": its channels are taken as they are stored";
 }
 
 void turnUpright(Image& image, const KtxKeyValues& values) {

@@ -15,6 +15,7 @@ struct KtxKeyValues {
   Metadata metadata;
   bool right_to_left = false;  ///< KTXorientation: S increases to the left
   bool bottom_up = false;      ///< T increases upwards
+  std::string swizzle = {};    ///< KTXswizzle, where it is not "rgba"
 };
 
 /// Walks over the key/value data of KTX 1 and 2.
@@ -32,6 +33,9 @@ enum class KtxVersion { ktx1, ktx2 };
 /// The data for a file of ours: KTXorientation, right and down, KTXwriter, which only KTX 2 knows, and the metadata;
 /// sorted by key as KTX 2 demands.
 Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version);
+
+/// What is remarked of a file that wants its channels exchanged, as no environment does.
+std::string swizzleRemark(const KtxKeyValues& values);
 
 /// Turns an image as the orientation demands, so that row 0 is on top.
 void turnUpright(Image& image, const KtxKeyValues& values);

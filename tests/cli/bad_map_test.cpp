@@ -191,8 +191,8 @@ TEST_F(BadMapTest, ManyTexelsThatTheFileDoesNotHold) {
 
 TEST_F(BadMapTest, SixFacesThatDoNotFitTogether) {
   succeed("convert uv --to cube --layout faces --size 8 -o room.exr");
-  write("room_ny.exr", Image(9, 9, 3));
-  EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: is 9x9"));
+  write("room_ny.exr", Image(9, 8, 3));
+  EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: is 9x8"));
   std::filesystem::remove(path("room_ny.exr"));
   EXPECT_THAT(
       refuse(1, "info room_px.exr"),

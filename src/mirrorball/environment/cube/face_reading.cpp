@@ -43,7 +43,9 @@ CubeArrangement countedAround() {
 
 std::vector<CubeArrangement> possibleArrangements(const CubeArrangement& expected, bool is_numbered) {
   const CubeArrangement ours;
-  std::vector<CubeArrangement> arrangements{expected, ours, asSeen(ours)};
+  // Where names promise pictures as an eye sees them, so are those that go on with the right one at the right.
+  const bool is_table = is_numbered || expected == ours;
+  std::vector<CubeArrangement> arrangements{expected, is_table ? ours : mirroredWorld(ours), asSeen(ours)};
   if (is_numbered) arrangements.push_back(countedAround());
   const std::vector<CubeArrangement> sides = arrangements;
   for (const CubeArrangement& side : sides) appendWithTurnedPoles(side, arrangements);
@@ -77,7 +79,8 @@ std::string hintForFaces(const CubeArrangement& arrangement) {
   constexpr std::array<std::string_view, 3> kPrograms{"krpano", "quake", "ogre"};
   for (const std::string_view program : kPrograms)
     if (arrangement == presetNamed(program)->cube) return "faces:for=" + std::string(program);
-  const std::string text = textOf(arrangement);
+  std::string text = textOf(arrangement);
+  std::erase(text, '|');  // which stands between hints
   return text.empty() ? "faces" : "faces:" + text;
 }
 

@@ -83,6 +83,8 @@ TEST(FaceReading, AHintNamesEachArrangement) {
     EXPECT_EQ(hintForFaces(arrangedAs(hint)), hint);
   for (const CubeArrangement& arrangement : possibleArrangements({}, true))
     EXPECT_EQ(arrangedAs(hintForFaces(arrangement)), arrangement);
+  // Remarks join hints with '|'.
+  EXPECT_EQ(hintForFaces(arrangedAs("faces:for=unreal")).find('|'), std::string::npos);
 }
 
 }  // namespace

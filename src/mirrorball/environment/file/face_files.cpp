@@ -45,6 +45,7 @@ constexpr auto kNamings = std::to_array<NamingTraits>({
     {FaceNaming::unity_cameras,
      {"Cam_3_Right-X", "Cam_2_Left+X", "Cam_4_Up+Y", "Cam_5_Down-Y", "Cam_0_Front+Z", "Cam_1_Back-Z"},
      "as-seen"},
+    {FaceNaming::unity_textures, {"RightTex", "LeftTex", "UpTex", "DownTex", "FrontTex", "BackTex"}, "as-seen"},
     {FaceNaming::c00, {"c00", "c01", "c02", "c03", "c04", "c05"}},
     {FaceNaming::face0, {"face0", "face1", "face2", "face3", "face4", "face5"}},
     {FaceNaming::letters, {"r", "l", "u", "d", "f", "b"}, kAsSeen, false, true},

@@ -25,6 +25,7 @@ enum class FaceNaming {
   ogre,
   unity,
   unity_cameras,
+  unity_textures,
   c00,
   face0,
   letters,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/text.h"
@@ -17,6 +18,7 @@
 #include "mirrorball/environment/file/compass_heading.h"
 #include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/picture_meaning.h"
+#include "mirrorball/image/resize.h"
 
 namespace mirrorball {
 namespace {
@@ -147,14 +149,31 @@ Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::strin
                            .doubt = std::move(doubt)};
 }
 
-/// The faces of a cube are squares of one size, with the channels of the first.
-Result<void> checkFace(const Image& face, const Image& first) {
-  if (face.width() != first.height() || face.height() != first.height())
-    return fail(ErrorCode::bad_shape, "is " + std::to_string(face.width()) + "x" + std::to_string(face.height()) +
-                                          ", and the six faces of a cube are squares of one size");
-  if (face.channels() != first.channels())
-    return fail(ErrorCode::bad_shape, "has other colour channels than the cube's first face");
-  return {};
+Result<void> checkIsSquare(const Image& face) {
+  if (face.width() == face.height()) return {};
+  return fail(ErrorCode::bad_shape, "is " + std::to_string(face.width()) + "x" + std::to_string(face.height()) +
+                                        ", and the six faces of a cube are squares");
+}
+
+/// Brings six squares to the largest side among them: skies for Quake have a small bottom of one colour
+/// (DaemonEngine/Daemon#179). Where some have fewer channels than others, all become three.
+void equalizeFaces(const FaceFiles& files, ImageSet& images, std::vector<std::string>& oddities) {
+  int side = 0;
+  bool has_equal_channels = true;
+  forEachImage(images, [&](const Image& image) {
+    side = std::max(side, image.width());
+    has_equal_channels = has_equal_channels && image.channels() == images.at(0, 0).channels();
+  });
+  for (int slot = 0; slot < 6; ++slot) {
+    Image& image = images.at(0, slot);
+    if (!has_equal_channels) image = rgbOf(image);
+    if (image.width() == side) continue;
+    const std::string own = std::to_string(image.width());
+    const std::string others = std::to_string(side);
+    oddities.push_back(files.paths[static_cast<std::size_t>(slot)].filename().string() + " is " + own + "x" + own +
+                       ", and the largest of the six faces is " + others + "x" + others + ": enlarged");
+    image = resized(image, glm::ivec2(side));
+  }
 }
 
 /// The remark on six files that do not state that they are a cube, nor how they lie.
@@ -200,7 +219,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
       }
     }
     add(bad_here, bad);
-    MIRRORBALL_TRY_VOID(withName(path, checkFace(decoded.image, slot == 0 ? decoded.image : images.at(0, 0))));
+    MIRRORBALL_TRY_VOID(withName(path, checkIsSquare(decoded.image)));
     images.at(0, slot) = std::move(decoded.image);
     format = decoded.format;
     color = decoded.color;
@@ -208,6 +227,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     for (const std::string& oddity : decoded.oddities)
       oddities.push_back(fs::path(path).filename().string() + " " + oddity);
   }
+  equalizeFaces(files, images, oddities);
   MIRRORBALL_TRY(loaded,
                  withName(name, cubeOf(std::move(images), std::move(format), std::move(color), std::move(metadata),
                                        std::move(recognition), bad, options, isCommon(files.naming))));
@@ -215,6 +235,9 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     loaded.doubt = doubtOfFaces(name, files, loaded.recognition->form.arrangement);
   loaded.lacks_gain_map = lacks_gain_map;
   loaded.oddities = std::move(oddities);
+  // Without another form to name, it is no doubt.
+  if (loaded.doubt.other_forms.empty() && !loaded.doubt.message.empty())
+    loaded.oddities.push_back(std::exchange(loaded.doubt.message, {}));
   loaded.files.assign(files.paths.begin(), files.paths.end());
   return loaded;
 }

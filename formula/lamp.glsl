@@ -41,6 +41,6 @@ FN float shareInCone(Lamp lamp, vec3 towards) {
 FN vec3 lampIlluminance(Lamp lamp, vec3 place) {
   if (lamp.kind == kLampDirectional) return lamp.color;
   vec3 away = lamp.position - place;
-  float distance2 = max(dot(away, away), 1e-12f);
+  float distance2 = max(dot(away, away), 1e-24f);  // a model may be 1e-6 large
   return lamp.color * (shareInRange(lamp, distance2) * shareInCone(lamp, towardsLamp(lamp, place)) / distance2);
 }

@@ -157,7 +157,7 @@ FN BodySurface bodySurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
   vec3 e2 = floatsOf(corner_2) - floatsOf(corner_0);
   float curvature =
       (curvatureAlong(e1, n1 - n0) + curvatureAlong(e2, n2 - n0) + curvatureAlong(e2 - e1, n2 - n1)) / 3.0f;
-  vec3 geometric_normal = normalize(cross(e1, e2));
+  vec3 geometric_normal = normalize(cross(normalize(e1), normalize(e2)));  // however small they are
   vec3 n = n0 * (1.0f - b.x - b.y) + n1 * b.x + n2 * b.y;
   vec3 normal = dot(n, n) > 0.0f ? normalize(n) : geometric_normal;  // none where the corners' cancel out
   return MAKE(BodySurface)(normal, geometric_normal, curvature, int(corner_0.w));

@@ -47,8 +47,9 @@ FN vec3 slopedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 slope) {
 //   tangent     the direction of growing u; w is the bitangent's sign. 0: any direction will do
 //   turn        cosine and sine
 FN vec3 turnedTangent(vec4 tangent, vec3 n, vec2 turn) {
-  vec3 along = vec3(tangent) - n * dot(n, vec3(tangent));
-  vec3 t = dot(along, along) > 1e-12f ? normalize(along) : anyTangent(n);
+  vec3 whole = vec3(tangent);  // as long as the object is scaled
+  vec3 along = whole - n * dot(n, whole);
+  vec3 t = dot(along, along) > 1e-12f * dot(whole, whole) ? normalize(along) : anyTangent(n);
   return t * turn.x + cross(n, t) * (tangent.w * turn.y);
 }
 
@@ -111,5 +112,5 @@ FN float spreadOfAlpha(float alpha, float scale) {
 //   scale               how far it turns from there: 1 all of the way
 FN vec3 objectMappedNormal(mat3 world_from_normal, vec3 n, vec3 mapped, float scale) {
   vec3 bent = world_from_normal * mapped;
-  return dot(bent, bent) > 1e-12f ? normalize(mix(n, normalize(bent), scale)) : n;
+  return dot(mapped, mapped) > 1e-12f ? normalize(mix(n, normalize(bent), scale)) : n;
 }

@@ -110,6 +110,17 @@ TEST(Tangent, ObjectSpaceNormalsTurnAndKeepTheSurfaceWhereTheyAreNone) {
   EXPECT_LT(objectMappedNormal(wide, n, mapped, -1.0f).x, 0.0f);
 }
 
+// An object's normals are as long as it is small, and its tangents as it is large.
+TEST(Tangent, ObjectsMayBeOfAnySize) {
+  const vec3 n(0.0f, 0.0f, 1.0f), mapped(0.6f, 0.0f, 0.8f);
+  for (const float size : {1e-9f, 1e-6f, 1.0f, 1e6f, 1e9f}) {
+    EXPECT_LT(distance(objectMappedNormal(mat3(1.0f / size), n, mapped, 1.0f), mapped), 1e-6f) << size;
+    EXPECT_EQ(objectMappedNormal(mat3(1.0f / size), n, vec3(0.0f), 1.0f), n) << size;
+    const vec3 turned = turnedTangent(vec4(size * vec3(0.6f, 0.8f, 0.1f), 1.0f), n, vec2(1.0f, 0.0f));
+    EXPECT_LT(distance(turned, vec3(0.6f, 0.8f, 0.0f)), 1e-6f) << size;
+  }
+}
+
 // However u and v run, and the more exact the lower the bumps are.
 TEST(Tangent, BumpsAreRightInAllOrientationsToTheSquareOfTheirHeight) {
   for (const float right : {-1.0f, 1.0f})

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 #include <utility>
@@ -12,8 +14,18 @@
 namespace mirrorball {
 namespace {
 
+/// What makes a scene about as large as 1, in which Embree keeps it: it gives no barycentric coordinates of triangles
+/// whose area is below 1e-18 (min_rcp_input, common/math/constants.h), such as those of a model in micrometres whose
+/// unit is the metre. A power of two rounds nothing.
+float embreeFromWorld(const Scene& scene) {
+  constexpr int kMost = 100;
+  return std::ldexp(1.0f, -std::clamp(std::ilogb(boundingSphere(scene).radius), -kMost, kMost));
+}
+
 /// A mesh's triangles where an instance puts them.
-RTCGeometry placedMesh(RTCDevice device, const Scene& scene, std::size_t instance) {
+///
+/// scale   embreeFromWorld()
+RTCGeometry placedMesh(RTCDevice device, const Scene& scene, std::size_t instance, float scale) {
   const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
   const glm::mat4& world_from_object = scene.instances[instance].world_from_object;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -22,7 +34,7 @@ RTCGeometry placedMesh(RTCDevice device, const Scene& scene, std::size_t instanc
   for (std::size_t i = 0; positions && i < mesh.vertices.size(); ++i) {
     const glm::vec3 place(world_from_object * glm::vec4(mesh.vertices[i].position, 1.0f));
     // Embree leaves triangles out that are as large as this.
-    positions[i] = isFinite(place) ? place : glm::vec3(std::numeric_limits<float>::max());
+    positions[i] = isFinite(scale * place) ? scale * place : glm::vec3(std::numeric_limits<float>::max());
   }
   auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
@@ -36,9 +48,16 @@ struct Query : RTCIntersectContext {
   Hit::Relief relief;
 };
 
+/// Prisms, which stay in the world's units.
+struct PlacedPrisms {
+  const ReliefPrisms& prisms;
+  float scale;  ///< embreeFromWorld()
+};
+
 void boundsOfPrism(const RTCBoundsFunctionArguments* arguments) {
-  const auto& prisms = *static_cast<const ReliefPrisms*>(arguments->geometryUserPtr);
-  const PrismBounds bounds = prisms.boundsOf(arguments->primID);
+  const auto& placed = *static_cast<const PlacedPrisms*>(arguments->geometryUserPtr);
+  const PrismBounds in_world = placed.prisms.boundsOf(arguments->primID);
+  const PrismBounds bounds{placed.scale * in_world.low, placed.scale * in_world.high};
   RTCBounds& out = *arguments->bounds_o;
   out.lower_x = bounds.low.x;
   out.lower_y = bounds.low.y;
@@ -51,13 +70,13 @@ void boundsOfPrism(const RTCBoundsFunctionArguments* arguments) {
 /// Of one ray, as rtcIntersect1 has it.
 void meetPrism(const RTCIntersectFunctionNArguments* arguments) {
   if (!arguments->valid[0]) return;
-  const auto& prisms = *static_cast<const ReliefPrisms*>(arguments->geometryUserPtr);
+  const auto& [prisms, scale] = *static_cast<const PlacedPrisms*>(arguments->geometryUserPtr);
   auto& ray_hit = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
   RTCRay& ray = ray_hit.ray;
-  const auto place = prisms.hit(arguments->primID, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z},
-                                ray.tnear, ray.tfar);
-  if (!place || !(place->distance < ray.tfar)) return;
-  ray.tfar = place->distance;
+  const auto place = prisms.hit(arguments->primID, glm::vec3(ray.org_x, ray.org_y, ray.org_z) / scale,
+                                {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear / scale, ray.tfar / scale);
+  if (!place || !(place->distance < ray.tfar / scale)) return;
+  ray.tfar = scale * place->distance;
   RTCHit& hit = ray_hit.hit;
   hit.u = place->barycentric.x;
   hit.v = place->barycentric.y;
@@ -70,10 +89,11 @@ void meetPrism(const RTCIntersectFunctionNArguments* arguments) {
   static_cast<Query*>(arguments->context)->relief = {place->position, place->up};
 }
 
-RTCGeometry placedPrisms(RTCDevice device, ReliefPrisms& prisms) {
+/// placed   must outlive it
+RTCGeometry placedPrisms(RTCDevice device, PlacedPrisms& placed) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(prisms.size()));
-  rtcSetGeometryUserData(geometry, &prisms);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(placed.prisms.size()));
+  rtcSetGeometryUserData(geometry, &placed);
   rtcSetGeometryBoundsFunction(
       geometry, [](const RTCBoundsFunctionArguments* arguments) { boundsOfPrism(arguments); }, nullptr);
   rtcSetGeometryIntersectFunction(geometry, meetPrism);
@@ -105,10 +125,12 @@ Result<void> checkDevice(RTCDevice device) {
 class EmbreeTree : public RayTree {
  public:
   EmbreeTree(RTCDevice device, const Scene& scene, const PrismsOfInstances& prisms)
-      : device_(device), tree_(newScene(device)), prisms_(prisms) {
+      : device_(device), tree_(newScene(device)), prisms_(prisms), scale_(embreeFromWorld(scene)) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
       const auto found = prisms.find(i);
-      attach(tree_, i, found == prisms.end() ? placedMesh(device, scene, i) : placedPrisms(device, *found->second));
+      attach(tree_, i,
+             found == prisms.end() ? placedMesh(device, scene, i, scale_)
+                                   : placedPrisms(device, placed_.emplace_back(PlacedPrisms{*found->second, scale_})));
     }
     rtcCommitScene(tree_);
   }
@@ -123,19 +145,21 @@ class EmbreeTree : public RayTree {
   RTCDevice device_;
   RTCScene tree_;
   const PrismsOfInstances& prisms_;
+  float scale_;                      // embreeFromWorld()
+  std::deque<PlacedPrisms> placed_;  // where Embree finds them
 };
 
 std::optional<Hit> EmbreeTree::hit(glm::vec3 origin, glm::vec3 direction, float nearest) const {
   Query query;
   rtcInitIntersectContext(&query);
   RTCRayHit ray{};
-  ray.ray.org_x = origin.x;
-  ray.ray.org_y = origin.y;
-  ray.ray.org_z = origin.z;
+  ray.ray.org_x = scale_ * origin.x;
+  ray.ray.org_y = scale_ * origin.y;
+  ray.ray.org_z = scale_ * origin.z;
   ray.ray.dir_x = direction.x;
   ray.ray.dir_y = direction.y;
   ray.ray.dir_z = direction.z;
-  ray.ray.tnear = nearest;
+  ray.ray.tnear = scale_ * nearest;
   ray.ray.tfar = std::numeric_limits<float>::infinity();
   ray.ray.mask = ~0u;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -143,7 +167,8 @@ std::optional<Hit> EmbreeTree::hit(glm::vec3 origin, glm::vec3 direction, float 
   rtcIntersect1(tree_, &query, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const glm::vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-  Hit hit{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, {ray.hit.u, ray.hit.v}, normalOfMet(normal, direction)};
+  Hit hit{
+      ray.ray.tfar / scale_, ray.hit.geomID, ray.hit.primID, {ray.hit.u, ray.hit.v}, normalOfMet(normal, direction)};
   if (prisms_.contains(hit.instance)) hit.relief = query.relief;
   return hit;
 }

@@ -7,6 +7,7 @@
 #include "formula/color.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/rays/vertex_places.h"
+#include "mirrorball/scene/unit_vector.h"
 
 namespace mirrorball {
 namespace {
@@ -33,7 +34,9 @@ EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::
 
 void EmissiveTriangles::add(std::uint32_t instance, std::uint32_t triangle) {
   const auto [a, b, c] = cornersFrom(scene_, instance, std::size_t{3} * triangle);
-  const float area = 0.5f * glm::length(glm::cross(b - a, c - a));
+  const glm::vec3 across = glm::cross(b - a, c - a);
+  const float area =
+      hasPlainSquare(across) ? 0.5f * glm::length(across) : static_cast<float>(0.5 * glm::length(glm::dvec3(across)));
   float brightness = 0.0f;
   for (const glm::vec2 place : kPlaces)
     brightness += formula::luminance(emission({.instance = instance, .triangle = triangle, .barycentric = place}));
@@ -58,7 +61,7 @@ EmissiveTriangles::Place EmissiveTriangles::chosen(glm::vec3 numbers) const {
   const Hit hit{.instance = triangle.instance,
                 .triangle = triangle.triangle,
                 .barycentric = place,
-                .geometric_normal = glm::normalize(glm::cross(b - a, c - a))};
+                .geometric_normal = directionOr(glm::cross(b - a, c - a), glm::vec3(0.0f))};
   return {hit, a + place.x * (b - a) + place.y * (c - a), density(hit)};
 }
 

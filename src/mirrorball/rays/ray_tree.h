@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "mirrorball/rays/geometry.h"
 #include "mirrorball/rays/relief_prisms.h"
 #include "mirrorball/scene/scene.h"
+#include "mirrorball/scene/unit_vector.h"
 
 namespace mirrorball {
 
@@ -38,13 +37,7 @@ class RayTree {
 ///
 /// across      the cross product of two edges, or what is left of it
 /// direction   unit
-inline glm::vec3 normalOfMet(glm::vec3 across, glm::vec3 direction) {
-  const float squared = glm::dot(across, across);
-  if (squared >= std::numeric_limits<float>::min() && squared <= std::numeric_limits<float>::max())
-    return glm::normalize(across);
-  const double length = glm::length(glm::dvec3(across));
-  return length > 0.0 && std::isfinite(length) ? glm::vec3(glm::dvec3(across) / length) : -direction;
-}
+inline glm::vec3 normalOfMet(glm::vec3 across, glm::vec3 direction) { return directionOr(across, -direction); }
 
 /// Embree's (Wald et al. 2014).
 ///

@@ -8,6 +8,7 @@
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/rays/hiding.h"
 #include "mirrorball/rays/vertex_places.h"
+#include "mirrorball/scene/unit_vector.h"
 
 namespace mirrorball {
 namespace {
@@ -22,8 +23,10 @@ glm::vec3 PlacedTriangle::at(glm::vec3 weights) const {
 
 glm::vec3 PlacedTriangle::normalAt(glm::vec3 weights) const {
   const glm::vec3 n = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
-  const float squared = glm::dot(n, n);
-  return squared > 1e-12f && squared < INFINITY ? n / std::sqrt(squared) : geometric_normal;
+  // They are as long as their object is small.
+  float longest = 0.0f;
+  for (const glm::vec3& normal : normals) longest = std::max(longest, glm::dot(normal, normal));
+  return glm::dot(n, n) > 1e-12f * longest ? unitOrNone(n) : geometric_normal;
 }
 
 PlacedTriangle PlacedTriangle::turnedOver() const {
@@ -46,7 +49,7 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
   const glm::vec3 across = glm::cross(placed.corners[1] - placed.corners[0], placed.corners[2] - placed.corners[0]);
   glm::vec3 normals(0.0f);
   for (const glm::vec3& normal : placed.normals) normals += unitOrNone(normal);
-  placed.geometric_normal = facingOutwards(glm::normalize(across), normals);
+  placed.geometric_normal = facingOutwards(directionOr(across, glm::vec3(0.0f)), normals);
   return placed;
 }
 

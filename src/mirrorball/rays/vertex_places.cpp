@@ -18,11 +18,8 @@ glm::vec3 cornerOf(const Scene& scene, std::size_t instance, std::size_t index) 
                    glm::vec4(mesh.vertices[mesh.indices[index]].position, 1.0f));
 }
 
-/// NaN is not above 0.
 bool hasArea(const std::array<glm::vec3, 3>& corners) {
-  const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const float squared = glm::dot(across, across);
-  return squared > 0.0f && squared < INFINITY;
+  return unitOrNone(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) != glm::vec3(0.0f);
 }
 
 }  // namespace
@@ -95,7 +92,8 @@ PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm:
   const Corner& corner = corners_[first_[frontOf(vertex)] + triangle];
   const auto [a, b, c] = cornersFrom(scene_, corner.instance, corner.index);
   const glm::vec2 weights = kFarthestAway * away;
-  const glm::vec3 outwards = outwardNormal(corner.instance, corner.index / 3, glm::normalize(glm::cross(b - a, c - a)));
+  const glm::vec3 outwards =
+      outwardNormal(corner.instance, corner.index / 3, directionOr(glm::cross(b - a, c - a), glm::vec3(0.0f)));
   return {a + weights.x * (b - a) + weights.y * (c - a), isBack(vertex) ? -outwards : outwards};
 }
 

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/scene/scene.h"
+#include "mirrorball/scene/unit_vector.h"
 
 namespace mirrorball {
 
@@ -21,8 +22,7 @@ struct PlaceByVertex {
 
 /// 0 for what is no direction.
 inline glm::vec3 unitOrNone(glm::vec3 n) {
-  const float squared = glm::dot(n, n);
-  return squared > 0.0f && squared < INFINITY ? n / std::sqrt(squared) : glm::vec3(0.0f);
+  return hasPlainSquare(n) ? n / std::sqrt(glm::dot(n, n)) : directionOr(n, glm::vec3(0.0f));
 }
 
 /// A triangle's counter-clockwise normal, or the other one where the normals of its corners clearly face that way.

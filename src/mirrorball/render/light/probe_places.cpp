@@ -75,7 +75,7 @@ std::vector<float> probeShares(const ReflectiveObject& object, const std::vector
   std::vector<float> shares;
   for (const ReflectiveObject& probe : probes) {
     const glm::vec3 away = probe.middle - object.middle;
-    shares.push_back(1.0f / std::max(glm::dot(away, away), 1e-12f));
+    shares.push_back(1.0f / std::max(glm::dot(away, away), 1e-30f));
   }
   if (shares.size() > kNearest) {
     std::vector<float> sorted = shares;

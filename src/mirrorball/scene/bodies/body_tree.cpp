@@ -13,6 +13,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/scene/bodies/box_tree.h"
 #include "mirrorball/scene/closed_surface.h"
+#include "mirrorball/scene/unit_vector.h"
 
 namespace mirrorball {
 namespace {
@@ -65,10 +66,11 @@ void addTriangles(const Scene& scene, std::uint32_t number, std::vector<PlacedTr
     }
     const glm::vec3 facing =
         glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
-    if (!is_finite || !isFinite(glm::normalize(facing))) continue;  // or without an area
+    const glm::vec3 geometric_normal = directionOr(facing, glm::vec3(0.0f));
+    if (!is_finite || geometric_normal == glm::vec3(0.0f)) continue;  // or without an area
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::vec3 normal = glm::normalize(world_from_normal * mesh.vertices[mesh.indices[first + i]].normal);
-      triangle.normals[i] = formula::octahedralPosition(isFinite(normal) ? normal : glm::normalize(facing));
+      triangle.normals[i] = formula::octahedralPosition(isFinite(normal) ? normal : geometric_normal);
     }
     triangles.push_back(triangle);
   }

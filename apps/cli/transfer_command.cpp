@@ -17,6 +17,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/model_origin.h"
 #include "mirrorball/transfer/detail_transfer.h"
 #include "mirrorball/transfer/simplify.h"
 #include "mirrorball/transfer/unwrap/unwrap.h"
@@ -190,7 +191,9 @@ Result<Scene> lightModelOf(const Scene& high, const TransferRequest& request) {
        counted(flat.charts, "chart") +
        formatted(", stretch %.3f (%.2f at most), on %.0f %% of the map", flat.stretch, flat.worst_stretch,
                  100.0 * flat.used));
-  return meshScene(std::move(flat.mesh), withoutMaps(materialOf(high, 0)));
+  Scene low = meshScene(std::move(flat.mesh), withoutMaps(materialOf(high, 0)));
+  low.origin = high.origin;
+  return low;
 }
 
 /// Says what of the maps may not be as it was meant.
@@ -256,6 +259,8 @@ Result<void> transfer(const TransferRequest& request) {
   MIRRORBALL_TRY(high, loaded(request.high, request));
   if (high.empty()) return fail(ErrorCode::bad_shape, request.high + ": has no triangles");
   MIRRORBALL_TRY(low, request.low.empty() ? lightModelOf(high, request) : loaded(request.low, request));
+  // Far from the origin of their coordinates, each was moved to about its own middle.
+  MIRRORBALL_TRY_VOID(withName(request.high, moveOrigin(high, low.origin)));
   const TransferSettings settings{.size = glm::ivec2(request.size),
                                   .samples_side = 1 << request.samples,
                                   .space = request.space,

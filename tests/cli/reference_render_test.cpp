@@ -99,13 +99,13 @@ std::string paneOfTwoSheets() {
 // A sheet that has no back is not there for an eye behind it, nor for one that sees it through another sheet.
 TEST_F(ReferenceAgainstRendererTest, SheetsOfGlassAreTheSameFromBehind) {
   write("pane.gltf", paneOfTwoSheets());
-  succeed("convert studio --to cube --size 256 --format float32 -o room.ktx2");
+  succeed("convert studio --to cube --size 256 --format float32 -o studio.ktx2");
   const std::string plane =
       "plane --set transmission=1 --set thin_walled=yes --set perceptual_roughness=0 "
       "--set base_color=0.8,0.5,0.3 --set double_sided=";
   for (const std::string& model : {plane + "no", plane + "yes", std::string("pane.gltf")})
     for (const char* camera : {"20,30", "200,-30"}) {
-      const std::string line = "render " + model + " -e room.ktx2 --camera " + camera + " --size 48x48 --samples 64 ";
+      const std::string line = "render " + model + " -e studio.ktx2 --camera " + camera + " --size 48x48 --samples 64 ";
       succeed(line + "-o drawn.exr");
       run(line + "--reference -o traced.exr");
       EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 35.0) << line;

@@ -47,11 +47,12 @@ void placeVertices(Mesh& mesh) {
 }
 
 std::size_t makeNormals(Mesh& mesh) {
+  const auto lacking = std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
+                                     [](const Vertex& vertex) { return !hasDirection(vertex.normal); });
+  if (lacking == 0) return 0;
   std::vector<glm::vec3> own;
   own.reserve(mesh.vertices.size());
   for (const Vertex& vertex : mesh.vertices) own.push_back(vertex.normal);
-  const auto lacking = std::count_if(own.begin(), own.end(), [](const glm::vec3& n) { return !hasDirection(n); });
-  if (lacking == 0) return 0;
   computeNormals(mesh);
   for (std::size_t i = 0; i < own.size(); ++i)
     if (hasDirection(own[i])) mesh.vertices[i].normal = own[i];
@@ -99,10 +100,10 @@ std::string remarkOn(const MeshRepair& repair) {
        "reach NaN or infinity and are left out");
   tell(repair.normals_made, "normal", "has no direction and is made from the triangles around",
        "have no direction and are made from the triangles around");
-  tell(repair.coordinates_zeroed, "texture coordinate", "is no number and is read as 0",
-       "are no numbers and are read as 0");
-  tell(repair.colors_whitened, "vertex colour", "is no number and is read as white",
-       "are no numbers and are read as white");
+  tell(repair.coordinates_zeroed, "texture coordinate", "holds NaN or infinity and is read as 0",
+       "hold NaN or infinity and are read as 0");
+  tell(repair.colors_whitened, "vertex colour", "holds NaN or infinity and is read as white",
+       "hold NaN or infinity and are read as white");
   return join(std::span<const std::string>(parts), "; ");
 }
 

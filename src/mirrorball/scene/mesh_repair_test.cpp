@@ -89,9 +89,9 @@ TEST(RepairMesh, CoordinatesAndColoursThatAreNoNumbersAreHarmless) {
   mesh.vertices[2].uv[0].x = kNan;
   mesh.vertices[3].uv[1].y = kInfinity;
   mesh.vertices[3].color.a = kNan;
-  EXPECT_EQ(
-      remarkOn(repairMesh(mesh)),
-      "2 texture coordinates are no numbers and are read as 0; 1 vertex colour is no number and is read as white");
+  EXPECT_EQ(remarkOn(repairMesh(mesh)),
+            "2 texture coordinates hold NaN or infinity and are read as 0; 1 vertex colour holds NaN or infinity and "
+            "is read as white");
   EXPECT_EQ(mesh.vertices[2].uv[0], glm::vec2(0.0f));
   EXPECT_EQ(mesh.vertices[3].uv[0], glm::vec2(0, 1));
   EXPECT_EQ(mesh.vertices[3].uv[1], glm::vec2(0.0f));

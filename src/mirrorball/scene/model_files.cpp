@@ -29,8 +29,7 @@ Result<void> checkName(std::string_view name) {
   if (name.empty()) return fail(ErrorCode::bad_file, "names no file");
   if (name.find('\0') != std::string_view::npos) return fail(ErrorCode::bad_file, "has a NUL in it, as no file's name");
   if (beginsAtRoot(name))
-    return fail(ErrorCode::unsupported,
-                "is no path from the model's folder; put the file beside the model");
+    return fail(ErrorCode::unsupported, "is no path from the model's folder; put the file beside the model");
   if (name.find("://") != std::string_view::npos)
     return fail(ErrorCode::unsupported, "lies in a network; fetch it and put it beside the model");
   return {};

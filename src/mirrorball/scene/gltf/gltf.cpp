@@ -158,7 +158,7 @@ class SceneBuilder {
     return places;
   }
 
-  /// Whether an index is one of `count` things; −1 is none. Another that is not there is told of.
+  /// Whether an index is one of `count` things; −1 is none. Another that does not exist is reported.
   bool isThere(int index, std::size_t count, const std::string& key, const char* thing) {
     if (index == -1) return false;
     const Result<void> exists = checkIndex(index, count, key, thing);

@@ -112,7 +112,7 @@ class AnimationReader {
     AnimationSampler sampler{
         .times = {}, .values = {}, .interpolation = KeyInterpolation(way - kInterpolations.begin())};
     MIRRORBALL_TRY(times, floatsOf(source.input, key + ".input"));
-    MIRRORBALL_TRY(kept, keysOf(source.input, key + ".input"));
+    MIRRORBALL_TRY(kept, growingKeys(source.input, key + ".input"));
     MIRRORBALL_TRY(values, floatsOf(source.output, key + ".output"));
     const bool is_cubic = sampler.interpolation == KeyInterpolation::cubic_spline;
     const std::size_t of_each = components * (is_cubic ? 3 : 1), wanted = times->size() * of_each;
@@ -135,7 +135,7 @@ class AnimationReader {
   using Keys = std::shared_ptr<const std::vector<std::uint32_t>>;
 
   /// An accessor is checked once, however many samplers name it.
-  Result<Keys> keysOf(int accessor, const std::string& key) {
+  Result<Keys> growingKeys(int accessor, const std::string& key) {
     if (const auto known = keys_.find(accessor); known != keys_.end()) return known->second;
     if (file_.document.accessors[std::size_t(accessor)].components != 1)
       return fail(ErrorCode::bad_file, key + " is no list of times");

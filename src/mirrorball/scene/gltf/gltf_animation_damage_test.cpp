@@ -70,23 +70,25 @@ TEST(GltfAnimationDamage, NamesTheKeyOfWrongNumbers) {
   const auto sampler = [](const std::string& input, const std::string& output, const std::string& more = "") {
     return "\"input\":" + input + ",\"output\":" + output + more;
   };
-  const auto told = [&](const std::string& keys, const std::string& part) {
+  const auto reported = [&](const std::string& keys, const std::string& part) {
     expectAnimationTold(file, channel(moved, keys), part);
   };
-  told(sampler(floats({0, 2, 1}), "0"), "samplers[0].input has the time 1 in element 2, which is not after the one");
-  told(sampler(floats({0, 1, 1}), "0"), "samplers[0].input has the time 1 in element 2, which is not after the one");
-  told(sampler(floats({-1, 1, 2}), "0"), "samplers[0].input has the time -1 in element 0, before the start");
-  told(sampler(floats({0, std::nanf(""), 2}), "0"), "holds NaN or infinity in element 1");
-  told(sampler(floats({}), floats({})), "samplers[0].input has no times");
-  told(sampler("0", "0"), "samplers[0].input is no list of times");
+  reported(sampler(floats({0, 2, 1}), "0"),
+           "samplers[0].input has the time 1 in element 2, which is not after the one");
+  reported(sampler(floats({0, 1, 1}), "0"),
+           "samplers[0].input has the time 1 in element 2, which is not after the one");
+  reported(sampler(floats({-1, 1, 2}), "0"), "samplers[0].input has the time -1 in element 0, before the start");
+  reported(sampler(floats({0, std::nanf(""), 2}), "0"), "holds NaN or infinity in element 1");
+  reported(sampler(floats({}), floats({})), "samplers[0].input has no times");
+  reported(sampler("0", "0"), "samplers[0].input is no list of times");
   const std::string times = floats({0, 1, 2});
-  told(sampler(times, floats({1, 2})), "samplers[0].output has 2 numbers, but 3 times of 3 components take 9");
-  told(sampler(times, "0", R"(,"interpolation":"CUBICSPLINE")"),
-       "samplers[0].output has 9 numbers, but 3 times of 3 components and their slopes take 27");
+  reported(sampler(times, floats({1, 2})), "samplers[0].output has 2 numbers, but 3 times of 3 components take 9");
+  reported(sampler(times, "0", R"(,"interpolation":"CUBICSPLINE")"),
+           "samplers[0].output has 9 numbers, but 3 times of 3 components and their slopes take 27");
   expectAnimationTold(file, channel(turned, sampler(times, "0")), "3 times of 4 components take 12");
-  told(sampler(times, floats({0, 0, 0, 0, INFINITY, 0, 0, 0, 0})), "holds NaN or infinity in element 4");
+  reported(sampler(times, floats({0, 0, 0, 0, INFINITY, 0, 0, 0, 0})), "holds NaN or infinity in element 4");
   const int matrix = file.maker.accessor(std::vector<float>(16, 0.0f), "MAT4");
-  told(sampler(times, std::to_string(matrix)), "samplers[0].output has a type that samplers cannot have");
+  reported(sampler(times, std::to_string(matrix)), "samplers[0].output has a type that samplers cannot have");
 }
 
 // Programs that join animations write a time twice where they meet.
@@ -128,15 +130,15 @@ TEST(GltfMorphDamage, NamesTheKeyOfAWrongTarget) {
   const int two = file.maker.accessor(std::vector<float>(6, 0.0f), "VEC3");
   const int flat = file.maker.accessor(std::vector<float>(6, 0.0f), "VEC2");
   const int broken = file.maker.accessor(std::vector<float>{0, 0, 0, 0, std::nanf(""), 0, 0, 0, 0}, "VEC3");
-  const auto told = [&](const std::string& target, const std::string& part) {
+  const auto reported = [&](const std::string& target, const std::string& part) {
     testing::expectTold(decodedText(file.json(R"("nodes":[{"mesh":0,"weights":[1]}])", target)), part);
   };
   const std::string key = "meshes[0].primitives[0].targets[0].";
-  told(R"({"POSITION":77})", key + "POSITION is 77, but there are");
-  told(file.targets(two), key + "POSITION has 2 elements, but POSITION has 3");
-  told(R"({"NORMAL":)" + std::to_string(flat) + "}", key + "NORMAL has 2 components");
-  told(file.targets(broken), "holds NaN or infinity in element 1");
-  told("3", "targets[0] is no object");
+  reported(R"({"POSITION":77})", key + "POSITION is 77, but there are");
+  reported(file.targets(two), key + "POSITION has 2 elements, but POSITION has 3");
+  reported(R"({"NORMAL":)" + std::to_string(flat) + "}", key + "NORMAL has 2 components");
+  reported(file.targets(broken), "holds NaN or infinity in element 1");
+  reported("3", "targets[0] is no object");
 }
 
 TEST(GltfMorphDamage, TargetsThatTakeTooMuchMemoryAreRefused) {

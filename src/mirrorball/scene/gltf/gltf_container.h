@@ -15,10 +15,10 @@ struct Container {
   std::span<const std::uint8_t> binary = {};  ///< of a .glb with a second chunk
 };
 
-/// Finds the parts of a .glb or .gltf, which is told by its first bytes, whatever its name is.
+/// Finds the parts of a .glb or .gltf, which its first bytes show, whatever its name is.
 ///
 /// bytes    must live as long as the result, which points into them
-/// remarks  is told where lengths are not those of the file; what a file lacks at its end is missing in the binary part
+/// remarks  reports where lengths are not those of the file; what a file lacks at its end is missing in the binary part
 /// errors   bad_file (no JSON, or not all of it); unsupported (another version)
 Result<Container> takeApart(std::span<const std::uint8_t> bytes, Remarks& remarks);
 

@@ -11,7 +11,7 @@
 #include "test_data.h"
 
 // A glTF file of which nothing is left is refused in one line that names the key of what is wrong; of another the rest is
-// shown, and the line is told. Nothing makes the reader crash.
+// shown, and the line is a remark. Nothing makes the reader crash.
 
 namespace mirrorball {
 namespace {
@@ -241,7 +241,7 @@ Bytes smallGlb() {
                        "}],\"textures\":[{\"source\":0}],\"materials\":[{\"normalTexture\":{\"index\":0}}]");
 }
 
-// What is left of a file that is cut is shown if it has a triangle, and told.
+// What is left of a file that is cut is shown if it has a triangle, with a remark.
 TEST(GltfDamage, OfABinaryFileThatIsCutTheRestIsShown) {
   const Bytes whole = smallGlb();
   const Result<Scene> sound = decodeGltf(whole, "model.glb");

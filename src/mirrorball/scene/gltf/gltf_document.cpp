@@ -275,7 +275,7 @@ Result<nlohmann::json> parseJson(std::string_view text, Remarks& remarks) {
     if (parsed.is_discarded())
       return fail(ErrorCode::bad_file,
                   "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
-    remarks.tell("is no valid JSON at byte " + std::to_string(error.byte) +
+    remarks.tell("is not valid JSON at byte " + std::to_string(error.byte) +
                  " of it: numbers that are missing, NaN or infinite, and commas too many, are read as no value");
     return parsed;
   } catch (const nlohmann::json::exception&) {

@@ -73,7 +73,7 @@ struct Buffer {
 };
 
 struct Image {
-  int buffer_view = -1;  ///< where it has neither this nor a uri, there is no picture
+  int buffer_view = -1;  ///< where it has neither this nor a uri, it has no picture
   std::optional<std::string> uri;
 };
 
@@ -187,7 +187,7 @@ struct Document {
 /// Reads a file's JSON. A value of a wrong type counts as absent.
 ///
 /// budget   gets what the document takes, and while it is read the parsed JSON too: many times the text's bytes
-/// remarks  is told of wrong values, and of extensions that are required and not read
+/// remarks  gets wrong values, and extensions that are required and not read
 /// errors   bad_file (no JSON, or no glTF; the byte or key is named); unsupported (the version); too_large
 Result<Document> parseDocument(std::string_view json, MemoryBudget& budget, Remarks& remarks);
 

@@ -50,7 +50,7 @@ bool isOfMaterials(std::string_view extension) {
 }  // namespace
 
 std::vector<std::string> unreadExtensions(const nlohmann::json& file, Remarks& remarks) {
-  JsonProblem other_types;  // of what is no list of words nothing is known
+  JsonProblem other_types;  // what is not a list of words names no extension
   const JsonReader root(&file, "", other_types);
   std::set<std::string> used;
   for (const JsonReader& required : root["extensionsRequired"].elements()) {

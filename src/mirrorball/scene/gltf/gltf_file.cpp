@@ -14,7 +14,7 @@ namespace {
 /// What a buffer's uri names.
 Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& uri, const std::string& key) {
   if (!isData(uri)) {
-    return readFileOf(file, uri, key);
+    return readNamedFile(file, uri, key);
   }
   MIRRORBALL_TRY_VOID(withName(key, file.named.budget().take(uri.size() / 4 * 3)));
   MIRRORBALL_TRY(bytes, decodeData(uri, key));
@@ -23,7 +23,7 @@ Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& 
 
 /// The bytes of a buffer: of its uri, or the binary chunk, which only the first may be. Another without a uri has its
 /// content in an extension that is not read.
-Result<std::span<const std::uint8_t>> bytesOf(File& file, std::size_t index, std::span<const std::uint8_t> binary) {
+Result<std::span<const std::uint8_t>> readSource(File& file, std::size_t index, std::span<const std::uint8_t> binary) {
   const Buffer& buffer = file.document.buffers[index];
   if (buffer.uri) return readBuffer(file, *buffer.uri, quoted("buffers", index) + ".uri");
   return index > 0 ? std::span<const std::uint8_t>() : binary;
@@ -35,7 +35,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     const Buffer& buffer = file.document.buffers[i];
     file.buffers.emplace_back();
     if (buffer.is_fallback) continue;
-    Result<std::span<const std::uint8_t>> bytes = bytesOf(file, i, binary);
+    Result<std::span<const std::uint8_t>> bytes = readSource(file, i, binary);
     if (!bytes) {
       if (!isDamage(bytes.error())) return fail(std::move(bytes));
       file.remarks.suspect(bytes.error());
@@ -82,7 +82,7 @@ void loseView(File& file, BufferView& view, Error damage) {
   view = {.buffer = buffer};
 }
 
-Result<std::span<const std::uint8_t>> readFileOf(const File& file, const std::string& uri, const std::string& key) {
+Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key) {
   const std::vector<std::string> readings{percentDecoded(uri), uri};
   auto found = file.files.read(readings);
   if (!found) return tl::unexpected<Error>({found.error().code, key + " " + found.error().message});

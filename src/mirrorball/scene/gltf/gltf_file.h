@@ -43,7 +43,7 @@ Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem
 /// the user wants.
 bool isDamage(const Error& error);
 
-/// What is left out of a part of the file, to be told after work of several threads.
+/// What is left out of a part of the file, for a remark after work of several threads.
 struct Damage {
   Error error;
   const char* what;  ///< Remarks::leaveOut
@@ -55,12 +55,12 @@ Result<void> notedIn(std::vector<Damage>& damage, const char* what, Result<void>
 /// Has a buffer view lead to an error, which whoever asks for its bytes gets.
 void loseView(File& file, BufferView& view, Error damage);
 
-/// The bytes of the file that a uri names which is no data: percent-encoded, as it should be, or as it is written.
+/// The bytes of the file that a uri names, unless it is data: percent-encoded, as it should be, or as it is written.
 ///
 /// key      what holds the uri, for messages
 /// returns  the same place for names of one file
 /// errors   as NamedFiles::read's
-Result<std::span<const std::uint8_t>> readFileOf(const File& file, const std::string& uri, const std::string& key);
+Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key);
 
 /// An attribute's numbers: `components` to an element.
 struct Numbers {
@@ -76,7 +76,7 @@ struct Numbers {
 /// errors   bad_file (out of range); too_large
 Result<Numbers> readNumbers(const File& file, int accessor, const std::string& key);
 
-/// The same for what is useless if one of its numbers is none.
+/// Reads an accessor as readNumbers does, for what is useless if one of its numbers is NaN.
 ///
 /// errors   as well bad_file: a value that is not finite
 Result<Numbers> readFiniteNumbers(const File& file, int accessor, const std::string& key);

@@ -63,7 +63,7 @@ class JsonMending {
   std::size_t at_ = 0;
   std::size_t copied_ = 0;  // up to where
   std::size_t comma_ = 0;   // the last
-  char before_ = 0;         // the last character that is no blank; 'x' of a value
+  char before_ = 0;         // the last character but blanks; 'x' of a value
   bool is_changed_ = false;
 };
 

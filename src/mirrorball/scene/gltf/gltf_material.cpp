@@ -53,7 +53,7 @@ void Materials::bindTexture(TextureSlot& slot, const MaterialMap& map, std::opti
   slot.uv_set = static_cast<int>(set - sets.begin());
 }
 
-/// The index in the scene of a texture of the file; −1: it has no picture, which is told of.
+/// The index in the scene of a texture of the file; −1: it has no picture, for which there is a remark.
 int Materials::sceneTexture(int index, const MaterialMap& map, std::optional<float> glossiness,
                             const std::string& key) {
   const auto isThere = [&](int which, std::size_t count, const std::string& name, const char* thing) {
@@ -100,8 +100,8 @@ int Materials::firstOfSameSource(int index) {
   const auto sourceOf = [&](const std::string& uri) {
     ContentHash data;
     if (isData(uri)) return data.addAll(std::span<const char>(uri)), data.digits();
-    const auto bytes = readFileOf(file_, uri, {});
-    // What is not found is told of when it is decoded.
+    const auto bytes = readNamedFile(file_, uri, {});
+    // What is not found is reported when it is decoded.
     return bytes ? "file " + std::to_string(reinterpret_cast<std::uintptr_t>(bytes->data())) : uri;
   };
   const std::string source = image.uri ? sourceOf(*image.uri) : "bufferViews " + std::to_string(image.buffer_view);
@@ -114,7 +114,7 @@ Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
   if (!image.uri && image.buffer_view == -1)
     return fail(ErrorCode::bad_file, key + " has neither a bufferView nor a uri");
   if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
-  if (!isData(*image.uri)) return readFileOf(file_, *image.uri, key + ".uri");
+  if (!isData(*image.uri)) return readNamedFile(file_, *image.uri, key + ".uri");
   MIRRORBALL_TRY(bytes, decodeData(*image.uri, key + ".uri"));
   return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
 }

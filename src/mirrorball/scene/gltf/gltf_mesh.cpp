@@ -92,7 +92,7 @@ void addTangents(Mesh& mesh, int uv_set, std::vector<std::uint32_t>& sources) {
 }
 
 /// The direction of a file's normal or tangent; 0 where it has none.
-glm::vec3 directionOf(const float* numbers) {
+glm::vec3 unitDirection(const float* numbers) {
   const glm::dvec3 direction(numbers[0], numbers[1], numbers[2]);
   const double length = glm::length(direction);
   return length > 0.0 && std::isfinite(length) ? glm::vec3(direction / length) : glm::vec3(0.0f);
@@ -103,16 +103,17 @@ glm::vec3 directionOf(const float* numbers) {
 /// sources  of each vertex, the one of the file that it was
 /// returns  how many had none
 std::size_t setTangents(Mesh& mesh, const Numbers& tangents, int uv_set, std::vector<std::uint32_t>& sources) {
-  const auto tangentOf = [&](std::size_t source) {
+  const auto readTangent = [&](std::size_t source) {
     const float* t = tangents.values.data() + source * tangents.components;
-    return glm::vec4(directionOf(t), t[3] < 0.0f ? -1.0f : 1.0f);
+    return glm::vec4(unitDirection(t), t[3] < 0.0f ? -1.0f : 1.0f);
   };
   std::size_t lacking = 0;
   for (std::size_t i = 0; i < tangents.count(); ++i)
-    if (glm::vec3(tangentOf(i)) == glm::vec3(0.0f)) ++lacking;
+    if (glm::vec3(readTangent(i)) == glm::vec3(0.0f)) ++lacking;
   if (lacking > 0) addTangents(mesh, uv_set, sources);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    if (const glm::vec4 own = tangentOf(sources[i]); glm::vec3(own) != glm::vec3(0.0f)) mesh.vertices[i].tangent = own;
+    if (const glm::vec4 own = readTangent(sources[i]); glm::vec3(own) != glm::vec3(0.0f))
+      mesh.vertices[i].tangent = own;
   return lacking;
 }
 
@@ -165,7 +166,7 @@ class Attributes {
     return readAttribute(file_, primitive_, draco_, name, min_components, max_components, vertices, key_);
   }
 
-  /// The same of what a mesh can do without.
+  /// Reads what a mesh can do without: nothing where it is damaged.
   Result<Numbers> readIfSound(const std::string& name, std::size_t min_components, std::size_t max_components,
                               std::size_t vertices) {
     Result<Numbers> numbers = read(name, min_components, max_components, vertices);
@@ -183,7 +184,7 @@ class Attributes {
   bool is_compressed_ = false;
 };
 
-/// An accessor without bytes is all zeros, which are no positions: those are in an extension that is not read.
+/// An accessor without bytes is all zeros, which cannot be positions: those are in an extension that is not read.
 Result<void> checkPositions(const File& file, const Primitive& primitive, const std::string& key) {
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) return {};
@@ -225,7 +226,7 @@ Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive
   mesh.vertices.resize(count);
   mesh.indices = std::move(corners);
   forEachVertex(mesh, positions, [](Vertex& vertex, const float* p) { vertex.position = {p[0], p[1], p[2]}; });
-  forEachVertex(mesh, normals, [](Vertex& vertex, const float* n) { vertex.normal = directionOf(n); });
+  forEachVertex(mesh, normals, [](Vertex& vertex, const float* n) { vertex.normal = unitDirection(n); });
   forEachVertex(mesh, uv0, [](Vertex& vertex, const float* t) { vertex.uv[0] = {t[0], t[1]}; });
   forEachVertex(mesh, uv1, [](Vertex& vertex, const float* t) { vertex.uv[1] = {t[0], t[1]}; });
   forEachVertex(mesh, colors, [&](Vertex& vertex, const float* c) {

@@ -19,7 +19,7 @@ struct ListedNode {
 /// The nodes of the default scene, of the first where the file names none, or of every node that has no parent where it
 /// has no scenes: parents before their children, each followed by all below it.
 ///
-/// remarks  is told of scenes and nodes that are not there, and of nodes that are reached twice, which count once
+/// remarks  gets scenes and nodes that do not exist, and nodes that are reached twice, which count once
 std::vector<ListedNode> nodesOfScene(const Document& document, Remarks& remarks);
 
 /// Names of which each is another one.

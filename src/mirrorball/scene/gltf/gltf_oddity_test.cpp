@@ -36,7 +36,7 @@ Result<Scene> decodedOdd(const std::string& json) {
 }
 Result<Scene> decodedOdd(const Bytes& bytes) { return decodeGltf(bytes, ::testing::TempDir() + "model.glb"); }
 
-/// A file is shown, and nothing is told.
+/// A file is shown, without a remark.
 void expectSilent(const Result<Scene>& scene) {
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_THAT(scene->warnings, IsEmpty());
@@ -50,8 +50,8 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }
 
 /// A .glb of parts, with wrong lengths where they are to be.
-Bytes glbOf(const std::string& json, const Bytes& binary, std::ptrdiff_t more_in_header = 0,
-            std::ptrdiff_t more_in_binary = 0) {
+Bytes makeGlb(const std::string& json, const Bytes& binary, std::ptrdiff_t more_in_header = 0,
+              std::ptrdiff_t more_in_binary = 0) {
   Bytes file = {'g', 'l', 'T', 'F'};
   const auto put = [&](std::size_t word) {
     for (int shift = 0; shift < 32; shift += 8) file.push_back(static_cast<std::uint8_t>(word >> shift));
@@ -80,11 +80,11 @@ Bytes places() {
 // --- the container
 
 TEST(GltfOddContainer, LengthsThatAreWrongDoNotMatter) {
-  expectSilent(decodedOdd(glbOf(kBinaryJson, places())));
-  for (const std::ptrdiff_t more : {-12, 12, 1000}) expectSilent(decodedOdd(glbOf(kBinaryJson, places(), more)));
-  expectSilent(decodedOdd(glbOf(kBinaryJson, places(), 0, 3)));  // padding is counted, and not there
-  expectTold(decodedOdd(glbOf(kBinaryJson, places(), 0, 1000)), "it is truncated, and what it lacks is left out");
-  Bytes followed = glbOf(kBinaryJson, places());
+  expectSilent(decodedOdd(makeGlb(kBinaryJson, places())));
+  for (const std::ptrdiff_t more : {-12, 12, 1000}) expectSilent(decodedOdd(makeGlb(kBinaryJson, places(), more)));
+  expectSilent(decodedOdd(makeGlb(kBinaryJson, places(), 0, 3)));  // padding is counted, and not there
+  expectTold(decodedOdd(makeGlb(kBinaryJson, places(), 0, 1000)), "it is truncated, and what it lacks is left out");
+  Bytes followed = makeGlb(kBinaryJson, places());
   followed.insert(followed.end(), 9, 'x');
   expectSilent(decodedOdd(followed));
 }
@@ -92,11 +92,11 @@ TEST(GltfOddContainer, LengthsThatAreWrongDoNotMatter) {
 TEST(GltfOddContainer, JsonMayBePaddedByZerosAndBlanksAndNotAtAll) {
   for (const std::string& padding :
        {std::string("\0\0\0", 3), std::string("\0", 1), std::string(" \n\t"), std::string()})
-    expectSilent(decodedOdd(glbOf(kBinaryJson + padding, places())));
+    expectSilent(decodedOdd(makeGlb(kBinaryJson + padding, places())));
   // Padded, which the chunk's length does not count.
   std::string json = kBinaryJson;
   while (json.size() % 4 != 1) json += ' ';
-  Bytes file = glbOf(json, places());
+  Bytes file = makeGlb(json, places());
   file.insert(file.begin() + static_cast<std::ptrdiff_t>(20 + json.size()), 3, std::uint8_t{' '});
   expectSilent(decodedOdd(file));
 }
@@ -110,7 +110,7 @@ TEST(GltfOddContainer, IsKnownByItsFirstBytesWhateverItsName) {
 
 TEST(GltfOddContainer, TheJsonMayBeginWithAByteOrderMark) {
   expectSilent(decodedOdd("\xEF\xBB\xBF" + triangleFile().gltf(kPlain)));
-  expectSilent(decodedOdd(glbOf("\xEF\xBB\xBF" + kBinaryJson, places())));
+  expectSilent(decodedOdd(makeGlb("\xEF\xBB\xBF" + kBinaryJson, places())));
 }
 
 TEST(GltfOddContainer, DataMayBeWrittenInManyWays) {
@@ -176,7 +176,7 @@ TEST(GltfOddJson, NumbersThatAreNoneAreRead) {
   expectTold(decodedOdd(triangleFile().gltf(kPlain, R"("extras":{"a":,"b":1,})")), "commas too many");
   const Result<Scene> named =
       decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"name":"NaN \" ,,] inf"}],"extras":[NaN])"));
-  expectTold(named, "is no valid JSON at byte ");
+  expectTold(named, "is not valid JSON at byte ");
   EXPECT_EQ(named->rig.nodes.at(0).name, "NaN \" ,,] inf");
   for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity", ",", "]", "{\"a\",}", "-", "i"})
     EXPECT_THAT(decodedOdd(std::string(broken)).error().message, HasSubstr("is no valid JSON")) << broken;
@@ -340,7 +340,7 @@ TEST(GltfOddMesh, CoordinatesThatAreNoNumbersAre0) {
   GltfMaker maker = triangleFile();
   maker.accessor(std::vector<float>{kNan, 1, 1, 1, 0, 0}, "VEC2");
   const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"TEXCOORD_0":1}})"));
-  expectTold(scene, "1 texture coordinate is no number and is read as 0");
+  expectTold(scene, "1 texture coordinate holds NaN or infinity and is read as 0");
   EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).uv[0], glm::vec2(0.0f));
   EXPECT_EQ(scene->meshes[0]->vertices.at(1).uv[0], glm::vec2(1.0f));
 }

@@ -51,7 +51,7 @@ class VertexBudget {
 /// the one that was read, unless another part shows it as it is.
 ///
 /// meshes   of each mesh of the file its primitives
-/// remarks  is told of meshes that hang on joints which their skins have not; those skins are left out
+/// remarks  gets meshes that hang on joints which their skins have not; those skins are left out
 /// errors   too_large
 Result<void> addParts(Scene& scene, const std::vector<Placement>& placements,
                       const std::map<int, std::vector<SceneMesh>>& meshes, VertexBudget& budget, Remarks& remarks);

@@ -140,15 +140,15 @@ std::string withSets(int count, const std::vector<int>& used) {
 }
 
 TEST_F(GltfPicture, AThirdSetOfCoordinatesIsReadWhereTwoAreUsed) {
-  const auto placeOf = [](const Scene& scene, const TextureSlot& slot) {
+  const auto firstU = [](const Scene& scene, const TextureSlot& slot) {
     return scene.meshes.at(0)->vertices.at(0).uv[slot.uv_set].x;
   };
   for (const auto& used : std::vector<std::vector<int>>{{0, 2}, {2, 0}, {2, 3}, {3}, {1, 1}, {2}, {0, 1}}) {
     const Result<Scene> scene = decoded(withSets(4, used));
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_THAT(scene->warnings, IsEmpty());
-    EXPECT_EQ(placeOf(*scene, scene->materials.at(0).normal_map), float(used[0]));
-    if (used.size() > 1) EXPECT_EQ(placeOf(*scene, scene->materials.at(0).occlusion_map), float(used[1]));
+    EXPECT_EQ(firstU(*scene, scene->materials.at(0).normal_map), float(used[0]));
+    if (used.size() > 1) EXPECT_EQ(firstU(*scene, scene->materials.at(0).occlusion_map), float(used[1]));
   }
 }
 

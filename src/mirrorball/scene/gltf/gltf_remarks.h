@@ -14,7 +14,7 @@ namespace mirrorball::gltf {
 /// What is odd about a file, as it is found: each kind of damage becomes one line, however often it is met. A file is
 /// shown without what is damaged; where nothing of it is left to be shown, the first damage is why it is refused.
 ///
-/// Not for several threads at a time: what they find is told after them, in the file's order.
+/// Not for several threads at a time: what they find is added after them, in the file's order.
 class Remarks {
  public:
   /// A line of its own, the continuation of "NAME: ".
@@ -22,13 +22,13 @@ class Remarks {
 
   /// Something is left out, since it is damaged or names what is not there.
   ///
-  /// what     in the singular: "texture". The first damage of each is told, and how many more there are
+  /// what     in the singular: "texture". The line is of the first damage of each, with how many more there are
   void leaveOut(const Error& damage, const char* what);
 
-  /// The same of what is sound, but not read.
+  /// Something sound is left out, since it is not read.
   void leaveOut(std::string found, const char* what);
 
-  /// Damage that is told of only if it leaves nothing to be shown.
+  /// Damage that matters only if it leaves nothing to be shown.
   void suspect(const Error& damage);
 
   /// Why a file is refused of which nothing is left; none: nothing was damaged.

@@ -213,20 +213,20 @@ TEST(GltfSkin, NamesTheKeyOfWhatIsWrong) {
   const std::string two_matrices = matrices(file, {back(0), back(0)});
   const std::string nan_matrix = matrices(file, {back(0), back(std::nanf("")), back(0)});
   const std::string nodes = R"("nodes":[{"mesh":0,"skin":0},{}],)";
-  const auto told = [&](const std::string& skins, const std::string& part) {
+  const auto reported = [&](const std::string& skins, const std::string& part) {
     expectSkinTold(file, nodes + "\"skins\":[" + skins + "]", good, part);
   };
-  told("", "nodes[0].skin is 0, but there are 0 skins");
-  told("{}", "skins[0].joints is missing");
-  told(R"({"joints":[]})", "skins[0].joints is empty");
-  told(R"({"joints":[1,1,9]})", "skins[0].joints is 9, but there are 2 nodes");
-  told(R"({"joints":[1,1]})",
-       "meshes[0].primitives[0].attributes.JOINTS_0 names the joint 2, but its skin has 2 joints");
-  told("{" + two_matrices + R"(,"joints":[1,1,1]})",
-       "skins[0].inverseBindMatrices has 2 elements, but there are 3 joints");
-  told("{" + nan_matrix + R"(,"joints":[1,1,1]})", "holds NaN or infinity in element 1");
-  told(R"({"inverseBindMatrices":0,"joints":[1,1,1]})", "skins[0].inverseBindMatrices has 3 components");
-  told(R"({"inverseBindMatrices":99,"joints":[1,1,1]})", "skins[0].inverseBindMatrices is 99, but there are");
+  reported("", "nodes[0].skin is 0, but there are 0 skins");
+  reported("{}", "skins[0].joints is missing");
+  reported(R"({"joints":[]})", "skins[0].joints is empty");
+  reported(R"({"joints":[1,1,9]})", "skins[0].joints is 9, but there are 2 nodes");
+  reported(R"({"joints":[1,1]})",
+           "meshes[0].primitives[0].attributes.JOINTS_0 names the joint 2, but its skin has 2 joints");
+  reported("{" + two_matrices + R"(,"joints":[1,1,1]})",
+           "skins[0].inverseBindMatrices has 2 elements, but there are 3 joints");
+  reported("{" + nan_matrix + R"(,"joints":[1,1,1]})", "holds NaN or infinity in element 1");
+  reported(R"({"inverseBindMatrices":0,"joints":[1,1,1]})", "skins[0].inverseBindMatrices has 3 components");
+  reported(R"({"inverseBindMatrices":99,"joints":[1,1,1]})", "skins[0].inverseBindMatrices is 99, but there are");
 
   const std::string skin = nodes + R"("skins":[{"joints":[1,1,1]}])";
   const std::string only_joints = good.substr(0, good.find(",\"WEIGHTS_0"));

@@ -155,7 +155,7 @@ class AnimationMaker {
   std::string channels_;
 };
 
-/// A file is shown all the same, and what is odd about it is told in lines of which one says `part`.
+/// A file is shown all the same, with remarks of which one says `part`.
 inline void expectTold(const Result<Scene>& scene, const std::string& part) {
   ASSERT_TRUE(scene) << part << ": " << scene.error().message;
   EXPECT_FALSE(scene->instances.empty()) << part;

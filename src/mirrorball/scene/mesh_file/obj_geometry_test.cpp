@@ -86,7 +86,7 @@ TEST(ObjGeometry, CoordinatesThatAreNoNumbersAreZero) {
   const Scene scene = sceneOfObj(kSquareVertices + "vt 0.5 0.5\nvt -nan(ind) 0\nf 1/1 2/1 3/2\n");
   for (const Vertex& vertex : scene.meshes.at(0)->vertices)
     EXPECT_EQ(vertex.uv[0], vertex.position == glm::vec3(1, 1, 0) ? glm::vec2(0) : glm::vec2(0.5f));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("1 texture coordinate is no number and is read as 0")));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("1 texture coordinate holds NaN or infinity and is read as 0")));
 }
 
 // MeshLab, MeshMixer, Blender: from 0 to 1, sRGB.

@@ -102,13 +102,32 @@ TEST_F(ExrWindowTest, APanoramaIsItsDisplayWindow) {
   writePart("middle.exr", {16, 8}, {32, 16});
   const testing::Outcome outcome = run("convert middle.exr --to equirect -o out.exr");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("middle.exr: holds 32x16 of the 64x32 texels of its display window"));
+  EXPECT_EQ(outcome.err,
+            "mirrorball: note: middle.exr: holds 32x16 of the 64x32 texels of its display window: what lies outside is "
+            "black, and lights nothing; --from equirect:fill=smooth continues the picture into it\n");
   const Image out = image("out.exr");
   ASSERT_EQ(out.width(), 64);
   EXPECT_EQ(rgbAt(out, 16, 8), rgbAt(smoothPanorama(), 16, 8));
   EXPECT_EQ(rgbAt(out, 47, 23), rgbAt(smoothPanorama(), 47, 23));
   EXPECT_EQ(rgbAt(out, 15, 8), glm::vec3(0));
   EXPECT_EQ(rgbAt(out, 48, 23), glm::vec3(0));
+}
+
+TEST_F(ExrWindowTest, APanoramaIsReadByRowsAlike) {
+  writePart("middle.exr", {16, 8}, {32, 16});
+  const std::string whole = run("convert middle.exr --to equirect -o whole.exr").err;
+  // A memory of which the map takes more than half.
+  EXPECT_EQ(run("convert middle.exr --to equirect -o rows.exr --max-memory 0.045M").err, whole);
+  EXPECT_EQ(bytes("rows.exr"), bytes("whole.exr"));
+}
+
+TEST_F(ExrWindowTest, TheRestIsFilledOnRequest) {
+  writePart("middle.exr", {16, 8}, {32, 16});
+  run("convert middle.exr --from equirect:fill=smooth --to equirect -o out.exr");
+  EXPECT_GT(image("out.exr").texel(3, 3)[0], 0.1f);
+  writePart("overscan.exr", {-4, -2}, {72, 36});
+  run("convert overscan.exr --from equirect:fill=smooth --to equirect -o whole.exr");
+  EXPECT_EQ(rgbAt(image("whole.exr"), 3, 3), rgbAt(smoothPanorama(), 3, 3));
 }
 
 TEST_F(ExrWindowTest, OverscanIsCutOff) {

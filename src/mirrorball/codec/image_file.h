@@ -61,7 +61,8 @@ struct DecodedImage {
   std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
   GainMapUse gain_map = GainMapUse::none;
-  std::optional<PictureWindow> window = {};  ///< where the image is a part of a larger picture, or more than it
+  std::optional<PictureWindow> window = {};  ///< where the file holds a part of a larger picture, or more than it;
+                                             ///< the last of `oddities` says so
   std::vector<PictureLayer> layers = {};     ///< to choose from (ImageReadOptions::layer), if there are several
   std::string layer = {};                    ///< the one that was read, of a format that has layers
   bool is_layer_guessed = false;             ///< none was asked for, and the first of `oddities` tells of the choice

@@ -44,7 +44,7 @@ class ExrPart {
   std::optional<Primaries> primaries() const;
   /// "OpenEXR, half, DWAB, layer beauty"
   std::string describe() const;
-  /// Tells of its window and its layers; `To` is DecodedImage or RowReader::Description.
+  /// Describes its window and its layers; `To` is DecodedImage or RowReader::Description.
   template <typename To>
   void tell(To& to) const {
     to.window = window_.part;

@@ -525,7 +525,9 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
 
 void tellAbout(const PanoramaRows& panorama, const std::string& name, const Observer& observer) {
   const RowReader::Description& picture = panorama.rows->description();
-  tellOddities(name, picture.oddities, picture.is_layer_guessed, observer);
+  std::vector<std::string> oddities = picture.oddities;
+  if (picture.window) adviseOnRest(*picture.window, oddities);
+  tellOddities(name, oddities, picture.is_layer_guessed, observer);
 }
 
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {

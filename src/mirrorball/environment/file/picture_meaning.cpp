@@ -93,9 +93,15 @@ Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, co
   return meaning;
 }
 
+void adviseOnRest(const PictureWindow& window, std::vector<std::string>& oddities) {
+  if (shareOfSphere(window) < 1.0 && !oddities.empty())
+    oddities.back() += ", and lights nothing; {option:from} equirect:fill=smooth continues the picture into it";
+}
+
 Result<void> completePanorama(const PictureMeaning& meaning, const FormHint& hint, DecodedImage& decoded) {
   const MapForm& form = meaning.recognition.form;
   if (form.projection != Projection::equirect || form.has_texels_on_edges) return {};
+  if (decoded.window && !hint.rest) adviseOnRest(*decoded.window, decoded.oddities);
   if (meaning.part) {
     PictureWindow window{.source = hint.part ? "the form that was named" : "its GPano"};
     MIRRORBALL_TRY(panorama, placedInPanorama(std::move(decoded.image), *meaning.part, window));

@@ -35,6 +35,11 @@ struct PictureMeaning {
 Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                                    const FormHint& hint);
 
+/// Adds to the remark on a panorama's window, the last of its file's, what the empty rest means and how to fill it.
+///
+/// window   in which the picture lies already: OpenEXR's
+void adviseOnRest(const PictureWindow& window, std::vector<std::string>& oddities);
+
 /// Makes the picture of a panorama that of the whole one: in its place, with what the hint says around it.
 ///
 /// decoded  gets `window` where it was a part

@@ -102,6 +102,12 @@ void addTextures(Corpus& corpus) {
   const testing::OldDds masks{
       .width = 3, .height = 2, .flags = 0x41, .bits = 32, .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
   corpus.add("dds", "masks", testing::oldDds(masks, Bytes(24, 99)));
+  // Of which rows are padded, and a cube that lists no face.
+  Bytes padded = testing::oldDds(
+      {.width = 3, .height = 2, .flags = 0x40, .bits = 24, .masks = {0xff0000, 0xff00, 0xff, 0}}, Bytes(24, 99));
+  padded[20] = 12;  // the pitch
+  corpus.add("dds", "padded", padded);
+  corpus.add("dds", "unlisted_faces", testing::oldDds({.flags = 4, .code = 113, .caps2 = 0x200}, Bytes(48, 60)));
   corpus.add("dds", "half_code", testing::oldDds({.flags = 4, .code = 113}, Bytes(8, 60)));
 
   for (const bool big_endian : {false, true}) {
@@ -168,6 +174,11 @@ void addImages(Corpus& corpus) {
   Bytes flat = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_xyze\nCOLORCORR=1 2 3\n\n-Y 1 +X 3\n");
   flat.insert(flat.end(), {9, 8, 7, 130, 1, 2, 3, 128, 0, 0, 0, 0});
   corpus.add("hdr", "flat_xyze", flat);
+  Bytes odd = bytesOf(
+      "\xef\xbb\xbf#?AUTOPANO\r\nFORMAT = 32-bit_rle_rgbe \nEXPOSURE=0\nCOLORCORR=1,5 2 1\nGAMMA=2.2\nPIXASPECT=2\n"
+      "\tEXPOSURE=4\n \n\n-Y  1 +X   3 \n");
+  odd.insert(odd.end(), {9, 8, 7, 130, 1, 2, 3, 128, 0, 0, 0, 0});
+  corpus.add("hdr", "odd_header", odd);
 
   const Imf::Compression compressions[] = {Imf::NO_COMPRESSION,   Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                            Imf::ZIP_COMPRESSION,  Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION,

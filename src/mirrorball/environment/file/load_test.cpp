@@ -412,6 +412,22 @@ TEST_F(LoadTest, SixLayersAreACubeIfTheyMeet) {
   EXPECT_EQ(textOf(loadEnvironment(path("b.dds"), {.from = *formHintNamed("cube")})->recognition->form), "cube, faces");
 }
 
+TEST_F(LoadTest, WhatIsOddInAPanoramaThatIsReadByRowsIsRemarked) {
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=0\n\n-Y 1 +X 2\n";
+  Bytes file(header.begin(), header.end());
+  file.insert(file.end(), {16, 32, 64, 136, 16, 32, 64, 136});
+  ASSERT_TRUE(writeFile(path("a.hdr"), file));
+  auto panorama = openPanorama(path("a.hdr"));
+  ASSERT_TRUE(panorama && *panorama);
+  std::vector<std::string> remarks;
+  const Observer observer{.remark = [&](const Remark& remark) { remarks.push_back(remark.message); }};
+  tellAbout(**panorama, path("a.hdr"), observer);
+  tellAbout(*loadEnvironment(path("a.hdr")), observer);
+  const std::string remark = path("a.hdr") + ": line 3 says EXPOSURE=0, which cannot be divided out: taken as 1";
+  EXPECT_THAT(remarks, ElementsAre(remark, remark));
+  EXPECT_EQ(rgbAt(*(*panorama)->rows->read(1), 1, 0), glm::vec3(16, 32, 64));
+}
+
 TEST_F(LoadTest, WhatIsOddInATextureIsTold) {
   ImageSet cube(1, 6);
   for (int face = 0; face < 6; ++face) cube.at(0, face) = Image(4, 4, 3, static_cast<float>(face));

@@ -82,6 +82,7 @@ void JpegDamage::miss(std::size_t begin, std::size_t end) {
   begin = std::min(begin, rows);
   end = std::clamp(end, begin, rows);
   std::fill(is_missing_.begin() + std::ptrdiff_t(begin), is_missing_.begin() + std::ptrdiff_t(end), std::uint8_t{1});
+  while (end_ > 0 && is_missing_[end_ - 1] != 0) --end_;
 }
 
 void JpegDamage::endAt(std::size_t first, const char* message) {
@@ -89,7 +90,7 @@ void JpegDamage::endAt(std::size_t first, const char* message) {
   if (message_[0] == '\0') std::snprintf(message_, sizeof message_, "%s", message);
 }
 
-void JpegDamage::finish(const jpeg_decompress_struct& codec) {
+void JpegDamage::checkScans(const jpeg_decompress_struct& codec) {
   for (int c = 0; c < codec.num_components; ++c)
     if (codec.comp_info[c].quant_table == nullptr) {  // taken when the component's first scan begins
       lacks_data_ = true;
@@ -99,11 +100,6 @@ void JpegDamage::finish(const jpeg_decompress_struct& codec) {
   // The digits that are still to come of each frequency; −1: all.
   for (int c = 0; c < codec.num_components; ++c)
     is_coarse_ |= std::any_of(codec.coef_bits[c], codec.coef_bits[c] + DCTSIZE2, [](int bits) { return bits != 0; });
-}
-
-std::size_t JpegDamage::end() const {
-  const auto last = std::find(is_missing_.rbegin(), is_missing_.rend(), std::uint8_t{0});
-  return static_cast<std::size_t>(is_missing_.rend() - last);
 }
 
 std::size_t JpegDamage::missingRows() const {

@@ -19,7 +19,10 @@ namespace mirrorball {
 class JpegDamage {
  public:
   /// Takes the memory for a picture of that many rows; before that, warnings are of the header.
-  void expectRows(std::size_t rows) { is_missing_.assign(rows, 0); }
+  void expectRows(std::size_t rows) {
+    is_missing_.assign(rows, 0);
+    end_ = rows;
+  }
 
   /// Takes up the warning that libjpeg's error manager holds, at the place that the decoder has reached. It takes no
   /// memory, for no exception may pass through libjpeg's frames.
@@ -28,11 +31,12 @@ class JpegDamage {
   /// The rows from `first` on are missing, as libjpeg's error or what follows from it says.
   void endAt(std::size_t first, const char* message);
 
-  /// What is known at the end: components of which no scan came are missing everywhere.
-  void finish(const jpeg_decompress_struct& codec);
+  /// What the scans have brought once all rows are decoded, and before libjpeg gives back what it knows of them: a
+  /// component of which no scan came is missing everywhere. It takes no memory.
+  void checkScans(const jpeg_decompress_struct& codec);
 
   /// From which row on all are missing: there decoding may stop.
-  std::size_t end() const;
+  std::size_t end() const { return end_; }
   std::size_t missingRows() const;
 
   /// Makes missing rows black, and opaque.
@@ -51,10 +55,11 @@ class JpegDamage {
   std::string remarkOnRows() const;
 
   std::vector<std::uint8_t> is_missing_;  ///< of each row; bytes, since note() writes them
-  bool ends_early_ = false;               ///< the bytes end before the end marker
-  bool lacks_data_ = false;               ///< a scan ends before its last block
-  bool is_coarse_ = false;                ///< what refines the picture is not all there
-  int odd_end_of_band_ = -1;              ///< the number in a baseline scan's header that should be 63
+  std::size_t end_ = 0;
+  bool ends_early_ = false;   ///< the bytes end before the end marker
+  bool lacks_data_ = false;   ///< a scan ends before its last block
+  bool is_coarse_ = false;    ///< what refines the picture is not all there
+  int odd_end_of_band_ = -1;  ///< the number in a baseline scan's header that should be 63
   std::size_t stray_bytes_ = 0;
   char message_[JMSG_LENGTH_MAX] = "";  ///< libjpeg's first on anything else
 };

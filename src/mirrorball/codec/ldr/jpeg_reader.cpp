@@ -121,20 +121,19 @@ IccProfile jpegProfile(Decompressor& decoder) {
 ///          whole; too_large
 Result<void> readRows(Decompressor& decoder, Image8& picture, std::size_t size) {
   jpeg_decompress_struct& codec = decoder.codec;
-  const JpegDamage& damage = decoder.damage;
   const bool ended_well = guardedFromJpeg(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
-    while (codec.output_scanline < damage.end()) {
+    while (codec.output_scanline < decoder.damage.end()) {
       JSAMPROW row = picture.row(static_cast<int>(codec.output_scanline)).data();
       jpeg_read_scanlines(&codec, &row, 1);
     }
+    decoder.damage.checkScans(codec);
     if (codec.output_scanline == codec.output_height) jpeg_finish_decompress(&codec);
   });
   if (!ended_well) {
     if (codec.output_scanline == 0 || decoder.errors.code == JERR_OUT_OF_MEMORY) return jpegFailure(decoder, size);
     decoder.damage.endAt(codec.output_scanline, decoder.errors.message);
   }
-  decoder.damage.finish(codec);
   return {};
 }
 

@@ -109,7 +109,7 @@ TEST_F(ModelCliTest, WhatAModelNamesOutsideOfItsFolderIsRefusedByAllCommandsIfTo
   EXPECT_THAT(run("export in/model.gltf -o out.glb").err, ::testing::HasSubstr("outside of its folder"));
 }
 
-// The colours and pictures of models as scanners and painters write them, and the notes on what is odd about their files.
+// Colours and pictures of models as scanners and painters write them, and the notes on what is odd about their files.
 TEST_F(ModelCliTest, ModelsOfOtherProgramsAreShownAsTheyAreMeant) {
   const std::string view =
       " --camera 0,0 --orthographic 1.4142 --size 16x16 --background 0,0,0 --set unlit=yes -e white -o picture.exr";

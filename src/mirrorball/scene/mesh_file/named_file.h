@@ -30,7 +30,8 @@ class NamedFiles {
   /// What is found otherwise than it is spelled is remarked on, once a file.
   ///
   /// readings   at least one; the first is what an error calls it
-  /// errors     as ModelFiles::find's of the first reading, and its read's: "'a.mtl' is missing; put it beside the model"
+  /// errors     as ModelFiles::find's of the first reading, and its read's: "'a.mtl' is missing; put it beside the
+  ///            model"
   Result<Found> read(std::span<const std::string> readings);
 
   ModelFiles& files() { return files_; }

@@ -108,6 +108,20 @@ NumberText readNumber(std::string_view word) {
   return {kNotANumber, Kind::not_finite};
 }
 
+std::optional<int> readInteger(std::string_view word) {
+  constexpr long long kGreatest = std::numeric_limits<int>::max();
+  const bool is_negative = word.starts_with('-');
+  if (is_negative || word.starts_with('+')) word.remove_prefix(1);
+  if (word.empty()) return {};
+  long long number = 0;
+  for (const char letter : word) {
+    if (!isDigit(letter) || number > kGreatest) return {};
+    number = 10 * number + (letter - '0');
+  }
+  if (number > kGreatest) return {};
+  return static_cast<int>(is_negative ? -number : number);
+}
+
 float toFloat(double number) {
   constexpr float kGreatest = std::numeric_limits<float>::max();
   return std::abs(number) <= double{kGreatest} ? static_cast<float>(number) : std::numeric_limits<float>::quiet_NaN();

@@ -25,11 +25,15 @@ struct NumberText {
 /// Reads one word as a number, independent of the locale.
 ///
 /// cost   15 ns for up to 15 digits; others ten times as much
-/// from   Clinger 1990, "How to read floating point numbers accurately": up to 2⁵³ · 10^±22 one operation rounds rightly
+/// from   Clinger 1990, "How to read floating point numbers accurately": up to 2⁵³ · 10^±22 one operation rounds it
+///        rightly
 NumberText readNumber(std::string_view word);
 
 /// The nearest float; NaN where there is none, of numbers beyond the largest float.
 float toFloat(double number);
+
+/// A whole number with a sign or without; nothing where the word is anything else, or does not fit.
+std::optional<int> readInteger(std::string_view word);
 
 /// A place as it can be drawn: NaN, as a whole, where floats do not hold it.
 glm::dvec3 toPlace(glm::dvec3 place);
@@ -42,8 +46,8 @@ class NumberReader {
   /// line   of the text, from 1, for remarks
   NumberText read(std::string_view word, std::size_t line);
 
-  /// "has decimal commas (the first in line 3: '0,5'), which are read as points"; "line 7: 'abc' is not a number". NaN and
-  /// infinities are not among them: what uses these numbers tells what became of it.
+  /// "has decimal commas (the first in line 3: '0,5'), which are read as points"; "line 7: 'abc' is not a number".
+  /// NaN and infinities are not among them: what uses these numbers reports what became of it.
   std::vector<std::string> remarks() const;
 
  private:

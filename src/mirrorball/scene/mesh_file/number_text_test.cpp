@@ -75,6 +75,15 @@ TEST(NumberText, ADecimalCommaIsRemarkedOn) {
                           "has 2 words for numbers that are none (the first in line 5: 'one')"));
 }
 
+TEST(NumberText, IntegersAreDigitsAlone) {
+  EXPECT_EQ(readInteger("0"), 0);
+  EXPECT_EQ(readInteger("-12"), -12);
+  EXPECT_EQ(readInteger("+007"), 7);
+  EXPECT_EQ(readInteger("2147483647"), 2147483647);
+  for (const char* word : {"", "-", "1.0", "1e3", " 1", "2147483648", "99999999999999999999", "0x1"})
+    EXPECT_EQ(readInteger(word), std::nullopt) << word;
+}
+
 TEST(NumberText, WhatNoFloatHoldsIsNowhere) {
   EXPECT_EQ(toFloat(0.1), 0.1f);
   EXPECT_TRUE(std::isnan(toFloat(1e39)));

@@ -13,8 +13,8 @@ namespace mirrorball {
 /// Decodes a Wavefront OBJ file with its .mtl: one mesh a material, corners that agree share a vertex, polygons become
 /// triangles, v is turned to grow downwards. Colours behind the positions become those of the vertices.
 ///
-/// What is read of a material: obj_material.h. Where the file has no normals, `s N` makes edges smooth within a smoothing
-/// group and `s off` all sharp; in a file without any `s`, edges are smooth under 45°.
+/// What is read of a material: obj_material.h. Where the file has no normals, `s N` makes edges smooth within a
+/// smoothing group and `s off` all sharp; in a file without any `s`, edges are smooth under 45°.
 ///
 /// path     its folder is where the paths of the .mtl and the pictures begin (ModelFiles); warnings begin with it
 /// returns  a .mtl or picture that is missing, damaged or not to be read is a warning in the scene, as are faces and

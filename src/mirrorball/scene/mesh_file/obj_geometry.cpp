@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,12 +30,12 @@ class VertexColors {
 
   /// Of the next vertices: 8 hexadecimal digits each, the first two of which are a mask.
   void addPolypaint(std::string_view digits) {
-    for (; digits.size() >= 8; digits.remove_prefix(8)) {
-      std::uint32_t code = 0;
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + 8, code, 16);
-      if (error != std::errc() || end != digits.data() + 8) return;
-      polypaint_.emplace_back((code >> 16) & 255u, (code >> 8) & 255u, code & 255u);
-    }
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const std::string text = lowerCase(digits);
+    if (text.find_first_not_of(kDigits) != std::string::npos) return;
+    const auto byteAt = [&](std::size_t at) { return 16 * kDigits.find(text[at]) + kDigits.find(text[at + 1]); };
+    for (std::size_t at = 0; at + 8 <= text.size(); at += 8)
+      polypaint_.emplace_back(byteAt(at + 2), byteAt(at + 4), byteAt(at + 6));
   }
 
   /// Of that many vertices; empty: the file has none.
@@ -62,9 +61,8 @@ class VertexColors {
 
 /// An index as OBJ counts it, from 1, or from the last one backwards: from 0. Nothing where it can name none.
 std::optional<int> fromZero(std::string_view text, std::size_t count) {
-  int index = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-  if (error != std::errc() || end != text.data() + text.size() || index == 0) return {};
+  const int index = readInteger(text).value_or(0);
+  if (index == 0) return {};
   const long long from_zero = index > 0 ? index - 1LL : static_cast<long long>(count) + index;
   const bool is_index = from_zero >= 0 && from_zero <= std::numeric_limits<int>::max();
   return is_index ? std::optional(static_cast<int>(from_zero)) : std::nullopt;

@@ -9,8 +9,8 @@
 namespace mirrorball {
 
 /// Builds the meshes of an OBJ, one a material: corners that agree share a vertex, polygons become triangles. Corners
-/// without a normal, or with one that is NaN or has no length, get one: by the face's smoothing group, else smooth where
-/// edges turn by less than 45°. Those go by position, so that a seam of the texture coordinates does not show.
+/// without a normal, or with one that is NaN or has no length, get one: by the face's smoothing group, else smooth
+/// where edges turn by less than 45°. Those go by position, so that a seam of the texture coordinates does not show.
 ///
 /// geometry   gets the normals that are made, and counts what is repaired
 /// materials  for each of geometry.material_names the key of its mesh

@@ -8,8 +8,8 @@
 
 namespace mirrorball {
 
-/// Reads the statements of a Wavefront .obj or .mtl: a keyword and what follows it, a line each. Lines end with LF, CR LF
-/// or CR; a '\' at the end of one joins the next to it; a byte-order mark before the first is passed over.
+/// Reads the statements of a Wavefront .obj or .mtl: a keyword and what follows it, a line each. Lines end with LF, CR
+/// LF or CR; a '\' at the end of one joins the next to it; a byte-order mark before the first is passed over.
 class StatementReader {
  public:
   explicit StatementReader(std::string_view text);

@@ -41,7 +41,8 @@ struct PlyContent {
 /// corners, triangle strips.
 ///
 /// returns  colours, of vertices and faces, from integers as sRGB, of floats as linear; where the values do not fit the
-///          type's range, as codes of 255. Triangles that name no vertex, or one that is nowhere, are left out and counted
+///          type's range, as codes of 255. Triangles that name no vertex, or one that is nowhere, are left out and
+///          counted
 /// errors   bad_file (the line or byte is named; a list or number that is none, a file that is truncated); too_large
 Result<PlyContent> readPlyContent(std::span<const std::uint8_t> file, const PlyHeader& header);
 

@@ -9,8 +9,8 @@
 
 namespace mirrorball {
 
-/// Decodes a surface from a stereolithography file, binary or in words, distinguished by the size (many binary ones begin
-/// with "solid" too), then by whether it is text.
+/// Decodes a surface from a stereolithography file, binary or in words, distinguished by the size (many binary ones
+/// begin with "solid" too), then by whether it is text.
 ///
 /// path     for warnings, which begin with it
 /// returns  flat facets, with their colours where a binary file has some (stl_facets.h). Facets without area are left

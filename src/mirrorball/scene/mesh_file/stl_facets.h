@@ -33,10 +33,10 @@ std::optional<std::string_view> stlText(std::span<const std::uint8_t> bytes);
 /// from     3D Systems, "StereoLithography Interface Specification" (1988)
 Result<StlFacets> readStlText(std::string_view text);
 
-/// Reads a binary STL: 80 bytes of free text, the number of facets as uint32, then for each the normal and three corners
-/// as float32 and two bytes of attributes; little-endian. Where the number does not fit the file, the facets are read
-/// that the file holds. Attributes with their highest bit set are colours: of SolidView and VisCAM, or, where the free
-/// text has "COLOR=", of Materialise Magics, in which that bit stands for the colour that follows there.
+/// Reads a binary STL: 80 bytes of free text, the number of facets as uint32, then for each the normal and three
+/// corners as float32 and two bytes of attributes; little-endian. Where the number does not fit the file, the facets
+/// are read that the file holds. Attributes with their highest bit set are colours: of SolidView and VisCAM, or, where
+/// the free text has "COLOR=", of Materialise Magics, in which that bit stands for the colour that follows there.
 ///
 /// errors   bad_file (its bytes are not facets); too_large
 /// from     the same; Wikipedia, "STL (file format)", section "Color in binary"

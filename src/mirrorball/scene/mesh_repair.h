@@ -21,8 +21,8 @@ struct MeshRepair {
 
 /// Makes a mesh fit to be drawn whatever numbers its file holds, and changes nothing of one that is.
 ///
-/// - Triangles with a corner that is not there, or is nowhere (NaN, infinity), are left out, and so is an incomplete one
-///   at the end of the indices.
+/// - Triangles with a corner that is not there, or is nowhere (NaN, infinity), are left out, and so is an incomplete
+///   one at the end of the indices.
 /// - A vertex whose normal is NaN, infinite or of length 0 gets the mean of the normals of its triangles, weighted by
 ///   angle (computeNormals); (0, 0, 1) where none of them has an area. All others keep their own.
 /// - Texture coordinates of NaN or infinity become 0, colours white.

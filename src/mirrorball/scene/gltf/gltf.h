@@ -14,9 +14,9 @@ namespace mirrorball {
 /// has no parent where it has no scenes.
 ///
 /// Read are the core's metallic-roughness materials with all their textures, cameras, and the extensions of
-/// docs/gltf.md. Pictures may have any format that codec/image_file.h's decodeColorTexture takes. Points, lines, and what other
-/// extensions say are left out, with a warning in the scene. So is whatever is damaged or missing (docs/files.md): a
-/// picture, a primitive, a skin, a channel of an animation, a triangle.
+/// docs/gltf.md. Pictures may have any format that codec/image_file.h's decodeColorTexture takes. Points, lines, and
+/// what other extensions say are left out, with a warning in the scene. So is whatever is damaged or missing
+/// (docs/files.md): a picture, a primitive, a skin, a channel of an animation, a triangle.
 ///
 /// returns  one mesh a primitive, and one more for each instance that is bent otherwise, by a skin or by morph targets;
 ///          an instance whose node mirrors gets a copy of its mesh with turned triangles, so that counter-clockwise is

@@ -10,8 +10,8 @@
 #include "mirrorball/scene/gltf/gltf_testing.h"
 #include "test_data.h"
 
-// A glTF file of which nothing is left is refused in one line that names the key of what is wrong; of another the rest is
-// shown, and the line is a remark. Nothing makes the reader crash.
+// A glTF file of which nothing is left is refused in one line that names the key of what is wrong; of another the rest
+// is shown, and the line is a remark. Nothing makes the reader crash.
 
 namespace mirrorball {
 namespace {

@@ -39,8 +39,8 @@ std::size_t jointSets(const Primitive& primitive);
 /// The memory that the deformation of so many vertices may take, by what a primitive says [bytes].
 std::size_t deformationSize(const Primitive& primitive, WantedDeformation wanted, std::size_t vertices);
 
-/// Reads what bends a primitive. Of what is damaged (counts and types that do not fit, joints that are not indices, NaN)
-/// nothing bends it.
+/// Reads what bends a primitive. What is damaged (counts and types that do not fit, joints that are not indices, NaN)
+/// does not.
 ///
 /// damage   gets that
 /// returns  none: nothing that is asked for bends it

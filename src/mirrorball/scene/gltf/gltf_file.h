@@ -69,8 +69,8 @@ struct Numbers {
   std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
 };
 
-/// Reads an accessor as floats, NaN and infinity among them: normalised integers become [0, 1] or [−1, 1], sparse values
-/// are put in.
+/// Reads an accessor as floats, NaN and infinity among them: normalised integers become [0, 1] or [−1, 1], sparse
+/// values are put in.
 ///
 /// key      what refers to the accessor, for messages
 /// errors   bad_file (out of range); too_large

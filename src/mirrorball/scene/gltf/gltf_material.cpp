@@ -167,6 +167,7 @@ Result<std::map<int, Result<SharedPicture>>> Materials::decodedImages() {
   std::map<int, Result<SharedPicture>> images;
   std::map<int, std::size_t> place;  // glTF image → which of `pictures`
   std::vector<EncodedPicture> pictures;
+  std::vector<int> image_of_picture;
   for (const Planned& planned : planned_) {
     if (images.contains(planned.image)) continue;
     const auto [known, is_new] = place.emplace(planned.image, pictures.size());
@@ -180,12 +181,12 @@ Result<std::map<int, Result<SharedPicture>>> Materials::decodedImages() {
         continue;
       }
       pictures.push_back({*bytes});
+      image_of_picture.push_back(planned.image);
     }
     if (planned.srgb) pictures[known->second].shows_colors = true;
   }
   const auto remark = [&](std::size_t picture, const std::string& oddity) {
-    const auto image = std::ranges::find(place, picture, [](const auto& row) { return row.second; });
-    file_.remarks.tell(quoted("images", std::size_t(image->first)) + ": " + oddity);
+    file_.remarks.tellOnce(quoted("images", std::size_t(image_of_picture[picture])), oddity);
   };
   std::vector<Result<Texels>> decoded =
       decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1), remark);

@@ -10,6 +10,7 @@
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/gltf/gltf_remarks.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball {
@@ -120,6 +121,20 @@ TEST_F(GltfPicture, OthersKeepTheirPlacesAndALostOneDoesNotGlow) {
   EXPECT_EQ(scene->textures.at(std::size_t(material.occlusion_map.texture)).image.codes().texel(0, 0)[0], 100);
   EXPECT_EQ(material.emission_map.texture, -1);
   EXPECT_EQ(material.emission, glm::vec3(0.0f));
+}
+
+TEST(GltfRemarks, OfAllPartsThatAreAlikeIsOne) {
+  gltf::Remarks remarks;
+  remarks.tellOnce("images[0]", "is turned upright");
+  remarks.tellOnce("images[1]", "has a profile");
+  remarks.tell("is odd");
+  remarks.tellOnce("images[3]", "is turned upright");
+  remarks.leaveOut({ErrorCode::io, "a is damaged"}, "texture");
+  for (const char* more : {"b", "c"}) remarks.leaveOut({ErrorCode::bad_file, more}, "texture");
+  EXPECT_THAT(remarks.lines(),
+              ElementsAre("images[0]: is turned upright, and so is another", "images[1]: has a profile", "is odd",
+                          "a is damaged; the texture is left out, and so are 2 more"));
+  EXPECT_EQ(remarks.firstDamage()->code, ErrorCode::io);
 }
 
 /// A triangle with as many sets of coordinates, the first corner of set i at (i, 0), whose textures use some of them.

@@ -12,9 +12,16 @@ void Remarks::leaveOut(const Error& damage, const char* what) {
 }
 
 void Remarks::leaveOut(std::string found, const char* what) {
-  const auto [line, is_new] = line_of_.try_emplace(what, lines_.size());
+  const std::string consequence = "; the " + std::string(what) + " is left out";
+  add(consequence, std::move(found) + consequence);
+}
+
+void Remarks::tellOnce(const std::string& part, const std::string& oddity) { add(oddity, part + ": " + oddity); }
+
+void Remarks::add(const std::string& kind, std::string text) {
+  const auto [line, is_new] = line_of_.try_emplace(kind, lines_.size());
   if (is_new)
-    lines_.push_back({std::move(found), what});
+    lines_.push_back({std::move(text)});
   else
     ++lines_[line->second].count;
 }
@@ -27,7 +34,6 @@ std::vector<std::string> Remarks::lines() const {
   std::vector<std::string> lines;
   for (const Line& line : lines_) {
     std::string text = line.text;
-    if (line.what != nullptr) text += "; the " + std::string(line.what) + " is left out";
     if (line.count == 2) text += ", and so is another";
     if (line.count > 2) text += ", and so are " + std::to_string(line.count - 1) + " more";
     lines.push_back(std::move(text));

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -19,6 +18,9 @@ class Remarks {
  public:
   /// A line of its own, the continuation of "NAME: ".
   void tell(std::string line);
+
+  /// "images[0]: is turned upright": a line for all parts of which this is found.
+  void tellOnce(const std::string& part, const std::string& oddity);
 
   /// Something is left out, since it is damaged or names what is not there.
   ///
@@ -39,11 +41,12 @@ class Remarks {
  private:
   struct Line {
     std::string text;
-    const char* what = nullptr;  // is left out; none: a line of its own
-    std::size_t count = 1;
+    std::size_t count = 1;  // of parts that are alike
   };
+  void add(const std::string& kind, std::string text);
+
   std::vector<Line> lines_;
-  std::map<std::string_view, std::size_t> line_of_;  // of what is left out
+  std::map<std::string, std::size_t> line_of_;  // by what its parts have in common
   std::optional<Error> first_damage_;
 };
 

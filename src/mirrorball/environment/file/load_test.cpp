@@ -76,7 +76,7 @@ TEST_F(LoadTest, ATexturesLevelsAreReadInItsForm) {
   EXPECT_FALSE(*loadLevels(*loadEnvironment(path("b.exr")), {}));
 }
 
-EnvironmentMap cubeOf(RadianceFunction light, int side) {
+EnvironmentMap makeCube(RadianceFunction light, int side) {
   return *convert(Environment(std::move(light), 1), Projection::cube, side);
 }
 
@@ -108,7 +108,7 @@ RadianceFunction noisyWaves() {
 
 TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
   const CubeArrangement seen = asSeen(CubeArrangement{});
-  const EnvironmentMap waves = cubeOf(testing::waves, 256);
+  const EnvironmentMap waves = makeCube(testing::waves, 256);
   for (const MapForm& form :
        {MapForm{Projection::cube, CubeLayout::hcross}, MapForm{Projection::cube, CubeLayout::lecture},
         MapForm{Projection::cube, CubeLayout::vcross}, MapForm{Projection::cube, CubeLayout::tiles},
@@ -141,11 +141,11 @@ TEST_F(LoadTest, EdgesTellWhetherMinusZStandsOnItsHead) {
     EXPECT_EQ(crossTakenFor(cube, path(name), "turn=-z"), "cube, vcross, turn=-z") << name;
   };
   expectTold(*convert(*builtinEnvironment("studio"), Projection::cube, 128), "studio.hdr");
-  expectTold(cubeOf(noisyWaves(), 128), "noise.exr");
-  expectTold(cubeOf(dimWithSun, 128), "sun.png");
+  expectTold(makeCube(noisyWaves(), 128), "noise.exr");
+  expectTold(makeCube(dimWithSun, 128), "sun.png");
   // Where hardly anything tells, the cross that hangs together stays.
   for (const EnvironmentMap& cube :
-       {cubeOf(nearlySymmetric, 128), cubeOf([](glm::vec3) { return glm::vec3(0.7f); }, 32)}) {
+       {makeCube(nearlySymmetric, 128), makeCube([](glm::vec3) { return glm::vec3(0.7f); }, 32)}) {
     EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn="), "cube, vcross");
     EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn=-z"), "cube, vcross");
   }
@@ -166,7 +166,7 @@ TEST_F(LoadTest, RealPanoramasTellWhetherMinusZStandsOnItsHead) {
 
 TEST_F(LoadTest, WhereMinusZIsTurnedIsSaidByFrom) {
   const MapForm form{Projection::cube, CubeLayout::vcross, arrangementOf("turn=-z")};
-  const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  const EnvironmentMap cube = makeCube(testing::waves, 256);
   const auto loaded =
       loadEnvironment(writeCube(path("cross.exr"), form, cube), {.from = *formHintNamed("vcross:turn=-z")});
   ASSERT_TRUE(loaded);
@@ -278,7 +278,7 @@ TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
 void writeFaces(const std::string& before, FaceNaming naming, const std::string& hint,
                 const std::string& extension = ".exr") {
   const MapForm form{.projection = Projection::cube, .arrangement = formHintNamed(hint)->arrangement};
-  static const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  static const EnvironmentMap cube = makeCube(testing::waves, 256);
   const ImageSet images = imagesOf(cube, form);
   for (int slot = 0; slot < 6; ++slot)
     ASSERT_TRUE(writeImage(before + std::string(endingsOf(naming)[static_cast<std::size_t>(slot)]) + extension,
@@ -377,7 +377,7 @@ TEST_F(LoadTest, AFolderWithoutAnotherFormIsRemarkedAsItIs) {
 TEST_F(LoadTest, SixNumberedPicturesAreACubeOnlyIfTheyMeet) {
   for (int number = 1; number <= 6; ++number) {
     const auto shot = [&](glm::vec3 d) { return testing::waves(glm::normalize(d + 0.3f * float(number))); };
-    ASSERT_TRUE(writeImage(path("v_" + std::to_string(number) + ".exr"), cubeOf(shot, 256).face(4)));
+    ASSERT_TRUE(writeImage(path("v_" + std::to_string(number) + ".exr"), makeCube(shot, 256).face(4)));
   }
   const auto loaded = loadEnvironment(path("v_2.exr"));
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -391,7 +391,7 @@ TEST_F(LoadTest, SixNumberedPicturesAreACubeOnlyIfTheyMeet) {
 }
 
 TEST_F(LoadTest, SixLayersAreACubeIfTheyMeet) {
-  const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  const EnvironmentMap cube = makeCube(testing::waves, 256);
   ImageSet layers(1, 1, 6);
   for (int face = 0; face < 6; ++face) layers.at(0, 0, face) = cube.face(face);
   for (const char* name : {"a.dds", "a.ktx", "a.ktx2"}) {

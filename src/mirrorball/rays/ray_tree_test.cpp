@@ -17,6 +17,7 @@
 #include "mirrorball/rays/scene_occlusion.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/relief.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
@@ -177,6 +178,33 @@ TEST(RayTree, TakesWhatIsNotFiniteOrEmpty) {
   ASSERT_TRUE(along);
   EXPECT_NEAR(along->distance, 5.0f - 1.0f / std::sqrt(3.0f), 1e-5f);
   EXPECT_LT(glm::distance(along->geometric_normal, glm::vec3(0.0f, 0.0f, 1.0f)), 1e-6f);
+}
+
+// Embree gives no barycentric coordinates of triangles as small as those of a model in micrometres.
+TEST(RayTree, ModelsMayBeOfAnySize) {
+  for (const RayTracer tracer : {fastestRayTracer(), RayTracer::own}) {
+    const Scene scene = meshScene(sphereMesh(16, 32));
+    const auto usual = Geometry::make(scene, tracer);
+    ASSERT_TRUE(usual);
+    for (const int power : {-40, -30, -20, 20, 30}) {
+      Scene scaled = scene;
+      for (Vertex& vertex : scaled.meshes[0].edit().vertices) vertex.position *= std::ldexp(1.0f, power);
+      const auto geometry = Geometry::make(scaled, tracer);
+      ASSERT_TRUE(geometry);
+      RandomRays random(scene);
+      for (int i = 0; i < 100; ++i) {
+        const glm::vec3 origin = random.origin(), direction = random.direction();
+        const auto hit = geometry->hit(std::ldexp(1.0f, power) * origin, direction, 0.0f, Surfaces::triangles);
+        const auto right = usual->hit(origin, direction, 0.0f, Surfaces::triangles);
+        ASSERT_EQ(hit.has_value(), right.has_value());
+        if (!hit) continue;
+        EXPECT_EQ(hit->triangle, right->triangle);
+        EXPECT_LT(glm::distance(hit->barycentric, right->barycentric), 1e-5f) << power;
+        EXPECT_LT(glm::distance(hit->geometric_normal, right->geometric_normal), 1e-5f) << power;
+        EXPECT_NEAR(std::ldexp(hit->distance, -power), right->distance, 1e-6f) << power;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ inline constexpr double kContradiction_stops = 0.5;
 /// primaries is converted to Rec.709's at the end.
 ///
 /// photographs  at least one, of one size; a file of linear light stands alone
-/// errors       bad_shape (sizes or primaries differ; too little to recover the response from); usage (no exposure times; all the
-///              same; a wrong number of them; linear light in a series)
+/// errors       bad_shape (sizes or primaries differ; too little to recover the response from); usage (no exposure
+///              times; all the same; a wrong number of them; linear light in a series)
 /// cost         one pass over all pixels; bit-identical for any number of threads
 /// from         Robertson, Borman & Stevenson 2003, "Estimation-theoretic approach to dynamic range enhancement using
 ///              multiple exposures", eq. 10

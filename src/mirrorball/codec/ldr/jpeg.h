@@ -17,9 +17,9 @@ namespace mirrorball {
 /// errors   as decodeJpegCodes'
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes);
 
-/// Decodes one to its codes, as far as it goes: rows of blocks that are missing or damaged are black, never the grey that
-/// libjpeg leaves, and a remark says how many (jpeg_damage.h). Its EXIF says how it lies, its ICC profile what the codes
-/// are.
+/// Decodes one to its codes, as far as it goes: rows of blocks that are missing or damaged are black, never the grey
+/// that libjpeg leaves, and a remark says how many (jpeg_damage.h). Its EXIF says how it lies, its ICC profile what the
+/// codes are.
 ///
 /// errors   bad_file (also: no row of blocks is whole); too_large; unsupported (CMYK, 12 bit)
 Result<CodedFile> decodeJpegCodes(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);

@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// What libjpeg warned of while it decoded a file, and which rows of texels it did not have. libjpeg itself goes on with
-/// grey, or with what damaged codes happen to mean.
+/// What libjpeg warned of while it decoded a file, and which rows of texels it did not have. libjpeg itself goes on
+/// with grey, or with what damaged codes happen to mean.
 ///
 /// Rows count as missing from the row of blocks on in which the data ended or were no codes, up to where the decoder
 /// starts anew: at the next restart marker after that row's, or else at the end of the scan. Only scans that bring the

@@ -16,9 +16,9 @@ namespace mirrorball {
 /// Zstandard, JPEG or SGI's LogLuv and LogL. The picture is turned as its tag says.
 ///
 /// Integers are sRGB unless an ICC profile of a matrix says otherwise, floats linear light, of whose profile only the
-/// primaries count; primaries that a file without one states are converted to Rec.709. Alpha is straight with integers and premultiplied with floats, whatever the file
-/// has; a fourth sample that is not said to be alpha is left out. LogLuv is CIE XYZ whose white is (1, 1, 1), as its
-/// own library has it.
+/// primaries count; primaries that a file without one states are converted to Rec.709. Alpha is straight with integers
+/// and premultiplied with floats, whatever the file has; a fourth sample that is not said to be alpha is left out.
+/// LogLuv is CIE XYZ whose white is (1, 1, 1), as its own library has it.
 ///
 /// errors   bad_file; too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
 ///          interrupted

@@ -332,18 +332,14 @@ bool mayBeCubeInLayers(const DecodedImageSet& texture, const FormHint& from) {
          std::none_of(texture.metadata.begin(), texture.metadata.end(), says_more);
 }
 
-/// The cube in six layers, if the caller names one or their edges meet; else the texture gets a remark.
-Result<std::optional<LoadedEnvironment>> loadCubeInLayers(DecodedImageSet& texture,
+/// The cube in six layers, if the caller names one or their edges meet.
+Result<std::optional<LoadedEnvironment>> loadCubeInLayers(const DecodedImageSet& texture,
                                                           const EnvironmentLoadOptions& options) {
   ImageSet faces(1, 6);
   for (int slot = 0; slot < 6; ++slot) faces.at(0, slot) = texture.images.at(0, 0, slot);
   if (!options.from.projection && !options.from.layout) {
     EnvironmentMap by_slots(Projection::cube, std::move(faces));
-    if (!readByEdges(by_slots, possibleArrangements({})).is_proved) {
-      texture.oddities.emplace_back(
-          "is an array of six pictures, which do not meet as the faces of a cube: the first is read");
-      return std::nullopt;
-    }
+    if (!readByEdges(by_slots, possibleArrangements({})).is_proved) return std::nullopt;
     faces = std::move(by_slots).takeImages();
   }
   MIRRORBALL_TRY(loaded, loadCubeTexture({.images = std::move(faces),
@@ -366,14 +362,18 @@ Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes,
   if (!options.from.layer.empty())
     return fail(ErrorCode::not_found, "is a texture, and has no layer '" + excerpt(options.from.layer) + "'");
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
+  FormDoubt doubt;
   if (mayBeCubeInLayers(texture, options.from)) {
+    doubt = {"is an array of six pictures, whose edges do not show that they are a cube: the first is read", {"cube"}};
     MIRRORBALL_TRY(cube, loadCubeInLayers(texture, options));
     if (cube) return std::move(*cube);
   }
   const int levels = texture.images.levels();
   auto loaded = texture.images.faces() == 6 ? loadCubeTexture(std::move(texture), options)
                                             : loadPictureTexture(std::move(texture), options);
-  if (loaded) loaded->levels = levels;
+  if (!loaded) return loaded;
+  loaded->levels = levels;
+  if (loaded->doubt.message.empty()) loaded->doubt = std::move(doubt);
   return loaded;
 }
 

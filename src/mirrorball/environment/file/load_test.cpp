@@ -408,7 +408,8 @@ TEST_F(LoadTest, SixLayersAreACubeIfTheyMeet) {
   ASSERT_TRUE(writeImageSet(path("b.dds"), layers, {.format = TexelFormat::float32}));
   const auto loaded = loadEnvironment(path("b.dds"));
   EXPECT_EQ(textOf(loaded->recognition->form), "sphere");
-  EXPECT_THAT(loaded->oddities, ElementsAre(HasSubstr("do not meet as the faces of a cube: the first is read")));
+  EXPECT_THAT(loaded->doubt.message, HasSubstr("whose edges do not show that they are a cube: the first is read"));
+  EXPECT_THAT(loaded->doubt.other_forms, ElementsAre("cube"));
   EXPECT_EQ(textOf(loadEnvironment(path("b.dds"), {.from = *formHintNamed("cube")})->recognition->form), "cube, faces");
 }
 

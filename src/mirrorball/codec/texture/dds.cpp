@@ -174,7 +174,8 @@ Result<void> settleCube(std::uint32_t caps2, bool is_dx10, std::uint64_t availab
   }
   if (is_dx10 || !is_listed) return {};
   if (!lists_all && !(is_square && fits(6, 1)))
-    return unsupportedTexture("a cube with fewer than six faces (" + facesListed(caps2) + ")", kDdsInstead);
+    return fail(ErrorCode::unsupported, "holds a cube with fewer than six faces (" + facesListed(caps2) +
+                                            "), whose light from the others is not known; store all six");
   if (!lists_all)
     header.oddities.push_back("lists the faces " + facesListed(caps2) + " of a cube, and has texels for six: read so");
   shape.faces = 6;

@@ -140,8 +140,10 @@ TEST(Dds, WhatIsNotReadIsNamed) {
   expectUnsupported(oldDds({.flags = 4, .code = dxt5}, Bytes(16)), "DXT5");
   expectUnsupported(oldDds({.flags = 0x40, .bits = 16, .masks = {0xf800, 0x7e0, 0x1f, 0}}, Bytes(2)), "16 bits");
   expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x200000}, Bytes(8)), "three-dimensional");
-  expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0600}, Bytes(8)), "fewer than six faces (+X)");
-  expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0200}, Bytes(5 * 8)), "fewer than six faces (none)");
+  EXPECT_EQ(decodeDds(oldDds({.flags = 4, .code = 113, .caps2 = 0x0600}, Bytes(8))).error().message,
+            "holds a cube with fewer than six faces (+X), whose light from the others is not known; store all six");
+  EXPECT_THAT(decodeDds(oldDds({.flags = 4, .code = 113, .caps2 = 0x0200}, Bytes(5 * 8))).error().message,
+              HasSubstr("fewer than six faces (none)"));
   Bytes file = ddsOf(textureOf(1, 1, 1, 3, 2, 2));
   file[128] = 98;  // DXGI_FORMAT_BC7_UNORM
   expectUnsupported(file, "BC7 block compression");

@@ -31,6 +31,16 @@ TEST(GltfAbsent, ACompressedMeshIsAnsweredByOneLine) {
             "MIRRORBALL_MESHOPTIMIZER=ON does");
 }
 
+TEST(GltfAbsent, AMeshThatIsThereUncompressedAsWellIsRead) {
+  testing::GltfMaker both;
+  both.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const std::string json = both.gltf(R"({"attributes":{"POSITION":0},"extensions":{"KHR_draco_mesh_compression":)"
+                                     R"({"bufferView":0,"attributes":{"POSITION":0}}}})");
+  testing::expectTold(decodeGltf(Bytes(json.begin(), json.end()), "model.gltf"),
+                      "compressed by Draco; one with MIRRORBALL_DRACO=ON does; the compressed form of the primitive is "
+                      "left out");
+}
+
 TEST(GltfAbsent, OtherMeshesAreRead) {
   testing::GltfMaker plain;
   plain.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");

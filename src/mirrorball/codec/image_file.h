@@ -118,8 +118,8 @@ Result<Bytes> readImageFile(const std::filesystem::path& path);
 /// sRGB unless a PNG states another curve; floats are linear light, and so is a JPEG with a gain map. Of a texture with
 /// one face, the largest level is read. NaN and infinity are kept: callers that need light check with findNonFinite.
 ///
-/// errors   not_found (also no layer of that name; lists them); io; bad_file (what is wrong and at which byte); too_large;
-///          unsupported (also a format that the build lacks); interrupted, when the progress says so
+/// errors   not_found (also no layer of that name; lists them); io; bad_file (what is wrong and at which byte);
+///          too_large; unsupported (also a format that the build lacks); interrupted, when the progress says so
 Result<DecodedImage> readImage(const std::filesystem::path& path, const ImageReadOptions& options = {});
 
 /// The same from memory.

@@ -82,14 +82,14 @@ float shareOfRays(Surface s) {
   return 1.0 - smoothstep(0.15, 0.3, s.material.perceptual_roughness);
 }
 
-float greatestOf(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
+float largestComponent(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
 // Along the normal of the flat triangle below the pixel; 0 where that is seen as a line. Squares of a pixel's area in a
 // model of 1e-9 or 1e12 are no floats, so the edges are brought to about 1 first, by a power of two.
 vec3 acrossTriangle(vec3 position) {
   vec3 along_x = dFdx(position);
   vec3 along_y = dFdy(position);
-  float size = max(greatestOf(along_x), greatestOf(along_y));
+  float size = max(largestComponent(along_x), largestComponent(along_y));
   if (size == 0.0) return vec3(0.0);
   float scale = exp2(-floor(log2(size)));
   return cross(scale * along_x, scale * along_y);

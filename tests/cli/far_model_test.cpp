@@ -26,7 +26,7 @@ class FarModelTest : public RenderCliTest {
   void SetUp() override {
     RenderCliTest::SetUp();
     write("smooth.exr", smoothPanorama());
-    write("near.obj", objOf(1.0, glm::dvec3(0.0)));
+    write("near.obj", objText(1.0, glm::dvec3(0.0)));
   }
 
   /// A torus that lies askew: no two axes look the same, and no edge lies between two pixels.
@@ -42,17 +42,17 @@ class FarModelTest : public RenderCliTest {
     return mesh;
   }
 
-  static std::string textOf(glm::dvec3 place) {
+  static std::string spaced(glm::dvec3 place) {
     std::string text = writtenPlace(place);
     for (char& letter : text)
       if (letter == ',') letter = ' ';
     return text;
   }
 
-  static std::string objOf(double scale, glm::dvec3 away) {
+  static std::string objText(double scale, glm::dvec3 away) {
     std::string text;
     for (const Vertex& vertex : torus().vertices)
-      text += "v " + textOf(scale * glm::dvec3(vertex.position) + away) + "\n";
+      text += "v " + spaced(scale * glm::dvec3(vertex.position) + away) + "\n";
     const std::vector<std::uint32_t>& indices = torus().indices;
     for (std::size_t i = 0; i < indices.size(); i += 3)
       text += "f " + std::to_string(indices[i] + 1) + " " + std::to_string(indices[i + 1] + 1) + " " +
@@ -61,7 +61,7 @@ class FarModelTest : public RenderCliTest {
   }
 
   template <typename Number>
-  static Bytes plyOf(glm::dvec3 away) {
+  static Bytes plyBytes(glm::dvec3 away) {
     const std::vector<Vertex>& vertices = torus().vertices;
     const std::vector<std::uint32_t>& indices = torus().indices;
     const std::string type = sizeof(Number) == 4 ? "float" : "double";
@@ -84,7 +84,7 @@ class FarModelTest : public RenderCliTest {
   }
 
   /// With normals, and those nodes, of which the first is the root.
-  static Bytes glbOf(const std::string& nodes) {
+  static Bytes glbBytes(const std::string& nodes) {
     GltfMaker maker;
     std::vector<float> positions, normals;
     for (const Vertex& vertex : torus().vertices)
@@ -118,31 +118,31 @@ class FarModelTest : public RenderCliTest {
 };
 
 TEST_F(FarModelTest, LooksAsItDoesNearTheOrigin) {
-  write("far.obj", objOf(1.0, kAway));
-  write("far.ply", plyOf<double>(kAway));
+  write("far.obj", objText(1.0, kAway));
+  write("far.ply", plyBytes<double>(kAway));
   for (const std::string model : {"far.obj", "far.ply"})
     for (const std::string options : {"--material gold --quality good", "--reference --samples 32"}) {
-      if (model == "far.ply") write("near.ply", plyOf<double>(glm::dvec3(0.0)));
+      if (model == "far.ply") write("near.ply", plyBytes<double>(glm::dvec3(0.0)));
       expectSame(model, model == "far.ply" ? "near.ply" : "near.obj", options);
     }
 }
 
 TEST_F(FarModelTest, OfGltfLooksSoWhereverItsNodesPutIt) {
-  write("near.glb", glbOf(R"({"mesh":0})"));
-  write("node.glb", glbOf(R"({"mesh":0,"translation":[4400000.125,-3100000.5,2000000.25]})"));
-  write("nested.glb", glbOf(R"({"children":[1],"translation":[4400000,-3100000,1e6]},)"
-                            R"({"children":[2],"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0.125,-0.5,1000000.25,1]},)"
-                            R"({"mesh":0})"));
+  write("near.glb", glbBytes(R"({"mesh":0})"));
+  write("node.glb", glbBytes(R"({"mesh":0,"translation":[4400000.125,-3100000.5,2000000.25]})"));
+  write("nested.glb", glbBytes(R"({"children":[1],"translation":[4400000,-3100000,1e6]},)"
+                               R"({"children":[2],"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0.125,-0.5,1000000.25,1]},)"
+                               R"({"mesh":0})"));
   for (const std::string model : {"node.glb", "nested.glb"})
     for (const std::string options : {"--material gold --quality good", "--reference --samples 32"})
       expectSame(model, "near.glb", options);
 }
 
-// What 32 bits hold is shown, and told: a model with its coordinates rounded likewise looks the same.
+// What 32 bits hold is shown, and reported: a model with its coordinates rounded likewise looks the same.
 TEST_F(FarModelTest, OfFloatsIsTheOneThatTheyWereRoundedTo) {
-  write("far.ply", plyOf<float>(kAway));
+  write("far.ply", plyBytes<float>(kAway));
   std::string rounded;
-  Bytes same = plyOf<double>(glm::dvec3(0.0));
+  Bytes same = plyBytes<double>(glm::dvec3(0.0));
   const std::size_t begin = std::string(same.begin(), same.begin() + 300).find("end_header\n") + 11;
   for (std::size_t i = 0; i < torus().vertices.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) {
@@ -152,13 +152,13 @@ TEST_F(FarModelTest, OfFloatsIsTheOneThatTheyWereRoundedTo) {
     }
   write("rounded.ply", same);
   expectSame("far.ply", "rounded.ply");
-  const Outcome told = run("render far.ply -e smooth.exr --size 8x8 -o told.exr");
-  EXPECT_EQ(told.exit_code, 0);
-  EXPECT_THAT(told.err, HasSubstr("its 32-bit vertices are rounded to 0.5"));
+  const Outcome outcome = run("render far.ply -e smooth.exr --size 8x8 -o outcome.exr");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("its 32-bit vertices are rounded to 0.5"));
 }
 
 TEST_F(FarModelTest, PlacesOnTheCommandLineAreInItsCoordinates) {
-  write("far.obj", objOf(1.0, kAway));
+  write("far.obj", objText(1.0, kAway));
   expectSame("far.obj", "near.obj", "--target 4400001.125,-3100000.5,2000000.25 --camera 20,10,4",
              "--target 1,0,0 --camera 20,10,4");
   expectSame("far.obj", "near.obj", "--light 4400001.125,-3099997.5,2000002.25,2,1,0.5", "--light 1,3,2,2,1,0.5");
@@ -172,7 +172,7 @@ TEST_F(FarModelTest, PlacesOnTheCommandLineAreInItsCoordinates) {
 }
 
 TEST_F(FarModelTest, IsDescribedAndExportedWhereItIs) {
-  write("far.obj", objOf(1.0, kAway));
+  write("far.obj", objText(1.0, kAway));
   const std::string place = "a ball about 4400000.425 -3100000.5 2000000.15 of radius";
   EXPECT_THAT(succeed("info far.obj"), HasSubstr(place));
   succeed("export far.obj --quiet -o out.glb");
@@ -182,12 +182,12 @@ TEST_F(FarModelTest, IsDescribedAndExportedWhereItIs) {
 
 // What is transferred between two models that lie in one place is so however far away that is.
 TEST_F(FarModelTest, TwoModelsStayAtTheSamePlace) {
-  write("far.obj", objOf(1.0, kAway));
+  write("far.obj", objText(1.0, kAway));
   const auto sidesAt = [](glm::dvec3 away) {
     std::string text = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
     for (const glm::dvec3 corner : {glm::dvec3(-2.03, 0.3, 2.07), glm::dvec3(3.04, 0.3, 2.07),
                                     glm::dvec3(3.04, 0.3, -2.01), glm::dvec3(-2.03, 0.3, -2.01)})
-      text += "v " + textOf(corner + away) + "\n";
+      text += "v " + spaced(corner + away) + "\n";
     return text + "f 1/1 2/2 3/3 4/4\n";
   };
   write("far_low.obj", sidesAt(kAway));
@@ -198,27 +198,27 @@ TEST_F(FarModelTest, TwoModelsStayAtTheSamePlace) {
 }
 
 TEST_F(FarModelTest, AModelLooksTheSameInAnyUnit) {
-  write("near.glb", glbOf(R"({"mesh":0})"));
+  write("near.glb", glbBytes(R"({"mesh":0})"));
   for (const std::string options : {"--material gold --quality good", "--reference --samples 16 --material gold"}) {
     for (const std::string form : {".obj", ".glb"}) draw("near" + form, options, "near" + form + ".exr");
     for (const std::string scale : {"1e-9", "1e-6", "1e9", "1e12"}) {
       SCOPED_TRACE(scale);
-      write("scaled.obj", objOf(std::stod(scale), glm::dvec3(0.0)));
-      write("scaled.glb", glbOf(R"({"mesh":0,"scale":[)" + scale + "," + scale + "," + scale + "]}"));
+      write("scaled.obj", objText(std::stod(scale), glm::dvec3(0.0)));
+      write("scaled.glb", glbBytes(R"({"mesh":0,"scale":[)" + scale + "," + scale + "," + scale + "]}"));
       for (const std::string form : {".obj", ".glb"}) {
         draw("scaled" + form, options, "scaled.exr");
         succeed("compare scaled.exr near" + form + ".exr --threshold rmse=0.001");
       }
     }
   }
-  write("scaled.obj", objOf(1e-6, glm::dvec3(0.0)));
+  write("scaled.obj", objText(1e-6, glm::dvec3(0.0)));
   expectSame("scaled.obj", "near.obj", "-e sky --stand");
 }
 
 TEST_F(FarModelTest, WhatNoNumbersHoldIsRefusedInOneLine) {
-  write("huge.obj", objOf(1e30, glm::dvec3(0.0)));
+  write("huge.obj", objText(1e30, glm::dvec3(0.0)));
   EXPECT_THAT(refuse(1, "render huge.obj -e white -o out.exr"), HasSubstr("scale the model down"));
-  write("nowhere.obj", objOf(1.0, glm::dvec3(1e30)));
+  write("nowhere.obj", objText(1.0, glm::dvec3(1e30)));
   EXPECT_THAT(run("render nowhere.obj -e white --size 8x8 -o out.exr").err, HasSubstr("has an area; nothing is seen"));
 }
 

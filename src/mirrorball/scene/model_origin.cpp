@@ -19,13 +19,13 @@ namespace {
 /// there, if the model is a thousand pixels high.
 constexpr double kRadiiAway = 100.0;
 
-double radiusOf(const DoubleBox& box) { return box.isEmpty() ? 0.0 : 0.5 * glm::distance(box.low, box.high); }
+double boxRadius(const DoubleBox& box) { return box.isEmpty() ? 0.0 : 0.5 * glm::distance(box.low, box.high); }
 
 double longestAxis(const glm::dmat4& matrix) {
   return std::max({glm::length(matrix[0]), glm::length(matrix[1]), glm::length(matrix[2])});
 }
 
-DoubleBox boxOf(const Mesh& mesh) {
+DoubleBox boxAround(const Mesh& mesh) {
   DoubleBox box;
   for (const Vertex& vertex : mesh.vertices) box.include(vertex.position);
   return box;
@@ -43,7 +43,7 @@ double stepOfFloats(glm::dvec3 place) {
 ///
 /// returns   whether there are any
 bool moveMeshes(Scene& scene) {
-  const double radius = radiusOf(boxOfPositions(scene));
+  const double radius = boxRadius(boxOfPositions(scene));
   std::vector<bool> is_bent(scene.meshes.size(), false);
   for (const RigPart& part : scene.rig.parts)
     if (part.deformation) is_bent[std::size_t(part.mesh)] = true;
@@ -53,7 +53,7 @@ bool moveMeshes(Scene& scene) {
     const auto index = std::size_t(instance.mesh);
     // The images of mirroring nodes are made of the others.
     if (is_bent[index] || origins[index] != glm::dvec3(0.0)) continue;
-    const DoubleBox box = boxOf(scene.meshes[index]);
+    const DoubleBox box = boxAround(scene.meshes[index]);
     const double scale = longestAxis(glm::dmat4(instance.world_from_object));
     // A small part of a model is at many of its own radii, and yet its numbers are fine enough for the model.
     if (scale * glm::length(box.center()) <= kRadiiAway * radius) continue;
@@ -75,7 +75,7 @@ bool moveMeshes(Scene& scene) {
 }  // namespace
 
 glm::dvec3 originFor(const DoubleBox& box) {
-  const double radius = radiusOf(box);
+  const double radius = boxRadius(box);
   if (box.isEmpty() || !(glm::length(box.center()) > kRadiiAway * radius)) return glm::dvec3(0.0);
   if (radius == 0.0) return box.center();
   const double steps = std::pow(10.0, std::floor(std::log10(radius)));

@@ -41,7 +41,7 @@ Scene loaded(const std::string& name, const Bytes& bytes) {
 }
 Scene loaded(const std::string& name, const std::string& text) { return loaded(name, Bytes(text.begin(), text.end())); }
 
-std::string textOf(glm::dvec3 place) {
+std::string spaced(glm::dvec3 place) {
   std::string text = writtenPlace(place);
   for (char& letter : text)
     if (letter == ',') letter = ' ';
@@ -50,7 +50,7 @@ std::string textOf(glm::dvec3 place) {
 
 std::string objAt(glm::dvec3 away) {
   std::string text;
-  for (const glm::dvec3& corner : kCorners) text += "v " + textOf(corner + away) + "\n";
+  for (const glm::dvec3& corner : kCorners) text += "v " + spaced(corner + away) + "\n";
   for (const auto& face : kFaces)
     text += "f " + std::to_string(face[0] + 1) + " " + std::to_string(face[1] + 1) + " " + std::to_string(face[2] + 1) +
             "\n";
@@ -61,7 +61,7 @@ std::string stlAt(glm::dvec3 away) {
   std::string text = "solid a\n";
   for (const auto& face : kFaces) {
     text += "facet normal 0 0 0\nouter loop\n";
-    for (const int corner : face) text += "vertex " + textOf(kCorners[std::size_t(corner)] + away) + "\n";
+    for (const int corner : face) text += "vertex " + spaced(kCorners[std::size_t(corner)] + away) + "\n";
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid a\n";
@@ -107,7 +107,7 @@ Bytes gltfWith(const std::string& nodes, glm::dvec3 away = glm::dvec3(0.0)) {
 }
 
 /// The places of a scene's triangles in its file's coordinates, as what draws them has them.
-std::vector<glm::dvec3> placesOf(const Scene& scene) {
+std::vector<glm::dvec3> placesIn(const Scene& scene) {
   std::vector<glm::dvec3> places;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
@@ -121,7 +121,7 @@ std::vector<glm::dvec3> placesOf(const Scene& scene) {
 
 /// Whether a scene has the tetrahedron there, and numbers that floats hold.
 void expectTetrahedronAt(const Scene& scene, glm::dvec3 away, double error) {
-  const std::vector<glm::dvec3> places = placesOf(scene);
+  const std::vector<glm::dvec3> places = placesIn(scene);
   ASSERT_EQ(places.size(), 12u);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec3 right = kCorners[std::size_t(kFaces[i / 3][i % 3])] + away;
@@ -167,7 +167,7 @@ TEST(ModelOrigin, FloatsAreAsTheyWereRoundedAndThatIsTold) {
   const auto rounded = [](glm::dvec3 place) { return glm::dvec3(glm::vec3(place)); };
   for (const Scene& scene :
        {loaded("floats.ply", plyAt<float>(kAway)), loaded("floats.glb", gltfWith(R"({"mesh":0})", kAway))}) {
-    const std::vector<glm::dvec3> places = placesOf(scene);
+    const std::vector<glm::dvec3> places = placesIn(scene);
     ASSERT_EQ(places.size(), 12u);
     for (std::size_t i = 0; i < places.size(); ++i)
       EXPECT_LT(glm::distance(places[i], rounded(kCorners[std::size_t(kFaces[i / 3][i % 3])] + kAway)), 1e-6);
@@ -196,14 +196,14 @@ TEST(ModelOrigin, VerticesThatANodeBringsBackAreRoundedOnceAlone) {
   EXPECT_EQ(scene.origin, glm::dvec3(0.0));
   EXPECT_EQ(scene.vertex_step, 0.5);
   const glm::dvec3 right = glm::dvec3(glm::vec3(kCorners[0] + kAway)) + glm::dvec3(-4400000, 3100000, 0);
-  EXPECT_LT(glm::distance(placesOf(scene)[0], right), 1e-6);
+  EXPECT_LT(glm::distance(placesIn(scene)[0], right), 1e-6);
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("far from the origin of its nodes")));
   // It moves with its node.
   Scene moved = scene;
   NodePlace place = moved.rig.nodes[0].place;
   place.translation.x += 1.0;
   ASSERT_TRUE(placeNode(moved, 0, place));
-  EXPECT_LT(glm::distance(placesOf(moved)[0], right + glm::dvec3(1, 0, 0)), 1e-6);
+  EXPECT_LT(glm::distance(placesIn(moved)[0], right + glm::dvec3(1, 0, 0)), 1e-6);
 }
 
 TEST(ModelOrigin, CamerasAndLightsKeepTheirPlacesAtTheModel) {
@@ -220,9 +220,9 @@ TEST(ModelOrigin, CamerasAndLightsKeepTheirPlacesAtTheModel) {
 
 TEST(ModelOrigin, TurnsUprightWithTheModel) {
   Scene scene = loaded("upright.obj", objAt(kAway));
-  const std::vector<glm::dvec3> before = placesOf(scene);
+  const std::vector<glm::dvec3> before = placesIn(scene);
   standUpright(scene, UpAxis::z);
-  const std::vector<glm::dvec3> after = placesOf(scene);
+  const std::vector<glm::dvec3> after = placesIn(scene);
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_LT(glm::distance(after[i], glm::dvec3(before[i].x, before[i].z, -before[i].y)), 1e-6);
 }
@@ -242,9 +242,9 @@ TEST(ModelOrigin, MovesWhatHasNoNodesToo) {
   scene.cameras.resize(1);
   scene.lights.resize(1);
   const glm::dvec3 by(8, -4, 2);
-  const std::vector<glm::dvec3> before = placesOf(scene);
+  const std::vector<glm::dvec3> before = placesIn(scene);
   ASSERT_TRUE(moveOrigin(scene, scene.origin + by));
-  EXPECT_LT(glm::distance(placesOf(scene)[5], before[5]), 1e-6);
+  EXPECT_LT(glm::distance(placesIn(scene)[5], before[5]), 1e-6);
   EXPECT_EQ(glm::vec3(scene.cameras[0].world_from_view[3]), glm::vec3(-by));
   EXPECT_EQ(scene.lights[0].position, glm::vec3(-by));
 }

@@ -1,7 +1,7 @@
 #include "mirrorball/scene/place_text.h"
 
 #include <array>
-#include <charconv>
+#include <cstdio>
 
 #include "mirrorball/base/text.h"
 
@@ -10,9 +10,13 @@ namespace {
 
 std::string exactText(double number) {
   if (double(static_cast<float>(number)) == number) return formatNumber(number);
-  std::array<char, 32> letters;
-  const auto end = std::to_chars(letters.data(), letters.data() + letters.size(), number).ptr;
-  return {letters.data(), end};
+  constexpr int kMostDigits = 17;  // tell any double from its neighbours
+  std::array<char, 32> letters{};
+  for (int digits = 1; digits <= kMostDigits; ++digits) {
+    std::snprintf(letters.data(), letters.size(), "%.*g", digits, number);
+    if (parseNumber(letters.data()) == number) break;
+  }
+  return letters.data();
 }
 
 }  // namespace

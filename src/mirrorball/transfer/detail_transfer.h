@@ -36,8 +36,8 @@ struct TransferredDetail {
 /// Finds the detail of a dense model for the texels of a light one at the same place: normals, with what normal maps
 /// the dense one has, and where they are wanted heights and occlusion.
 ///
-/// high     any models of triangles, with the origin of the light one (moveOrigin); surfaces that face away from a ray's
-///          outside are passed
+/// high     any models of triangles, with the origin of the light one (moveOrigin); surfaces that face away from a
+///          ray's outside are passed
 /// low      with texture coordinates, of which the first are meant; all its instances share the map
 /// errors   bad_shape (a model without triangles or texture coordinates; no ray met anything); out_of_range (texture
 ///          coordinates); too_large; interrupted

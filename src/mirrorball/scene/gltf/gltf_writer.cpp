@@ -130,8 +130,8 @@ class SceneWriter {
                          ": its transform has shear, which glTF does not allow and some programs leave out");
   }
 
-  /// Makes nodes without a parent of all, or of two that bring them back to where the scene's file had them: the numbers
-  /// written here are whole, or floats.
+  /// Makes nodes without a parent of all, or of two that bring them back to where the scene's file had them: the
+  /// numbers written here are whole, or floats.
   void writeRoots() {
     OutputJson nodes = OutputJson::array();
     for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) nodes.push_back(i);

@@ -270,7 +270,7 @@ void addWebps(Corpus& corpus) {
     const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
     for (const float quality : {80.0f, 101.0f})
       corpus.add("webp", (quality > 100 ? "lossless_" : "lossy_") + std::to_string(channels),
-                 testing::webpOf(picture, quality));
+                 testing::encodedWebp(picture, quality));
     corpus.add("webp", "profile_" + std::to_string(channels),
                testing::extendedWebp(picture, channels == 4 ? 0x30 : 0x20, "ICCP", testing::iccProfile("Display P3")));
   }

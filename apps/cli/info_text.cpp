@@ -47,22 +47,22 @@ std::string layersText(const LoadedEnvironment& loaded) {
 
 std::string fileText(const MapInfo& map) {
   const LoadedEnvironment& loaded = map.loaded;
-  std::string said = line("format", loaded.format) + line("colour", loaded.color);
-  if (!loaded.layers.empty()) said += line("layers", layersText(loaded));
+  std::string text = line("format", loaded.format) + line("colour", loaded.color);
+  if (!loaded.layers.empty()) text += line("layers", layersText(loaded));
   if (loaded.recognition) {
-    said += line("size", sizeText(loaded.file_size));
-    said +=
+    text += line("size", sizeText(loaded.file_size));
+    text +=
         line("projection", textOf(loaded.recognition->form) + " (recognised by " + loaded.recognition->told_by + ")");
     if (loaded.recognition->is_guess)
-      said += line("mirroring", "OpenGL's table or as seen from inside: mirrored writing in a picture tells which");
+      text += line("mirroring", "OpenGL's table or as seen from inside: mirrored writing in a picture tells which");
     if (map.covered < 1.0f)
-      said += line("covers", formatted("%.5g %% of the sphere: ", 100.0 * double(map.covered)) + coveredText(loaded));
+      text += line("covers", formatted("%.5g %% of the sphere: ", 100.0 * double(map.covered)) + coveredText(loaded));
     else if (loaded.window)
-      said += line("window", sizeText(loaded.window->size) + windowPlaceText(*loaded.window));
+      text += line("window", sizeText(loaded.window->size) + windowPlaceText(*loaded.window));
   } else {
-    said += line("projection", "none: a function of the direction");
+    text += line("projection", "none: a function of the direction");
   }
-  return said + line("bad texels", loaded.bad_texels.count > 0 ? textOf(loaded.bad_texels) : "none");
+  return text + line("bad texels", loaded.bad_texels.count > 0 ? textOf(loaded.bad_texels) : "none");
 }
 
 std::string statisticsText(const RadianceStatistics& statistics) {
@@ -95,10 +95,10 @@ std::string placeText(const DirectionPlace& place) {
 }
 
 std::string directionText(const DirectionInfo& direction) {
-  std::string said = "direction " + shortText(direction.given) + ", unit " + directionText(direction.unit) + "\n";
+  std::string text = "direction " + shortText(direction.given) + ", unit " + directionText(direction.unit) + "\n";
   for (const DirectionPlace& place : direction.places)
-    said += line(std::string(nameOf(place.projection)).c_str(), placeText(place));
-  return said + line("radiance", shortText(direction.radiance));
+    text += line(std::string(nameOf(place.projection)).c_str(), placeText(place));
+  return text + line("radiance", shortText(direction.radiance));
 }
 
 /// "-0.5 0 0.86603, column 1195 of 2048 (GPano:PoseHeadingDegrees 330)"
@@ -116,10 +116,10 @@ std::string textOf(const MapInfo& map) {
   const std::string north = map.north ? line("north", northText(*map.north)) : "";
   if (map.direction) return directionText(*map.direction) + (map.is_north_alone ? north : "");
   if (map.is_north_alone) return north;
-  std::string said = fileText(map) + statisticsText(map.statistics) + north;
+  std::string text = fileText(map) + statisticsText(map.statistics) + north;
   if (map.harmonics)
-    said += line("harmonics", "Filament's, of irradiance / pi: " + shortText((*map.harmonics)[0]) + " in the mean");
-  return said;
+    text += line("harmonics", "Filament's, of irradiance / pi: " + shortText((*map.harmonics)[0]) + " in the mean");
+  return text;
 }
 
 std::string nameOf(const Material& material) { return material.name.empty() ? "(unnamed)" : printable(material.name); }

@@ -22,7 +22,7 @@ TEST_F(InfoTest, EveryFormatIsAMap) {
   const Bytes texels(4 * 2 * 3, 255);
   const std::string plain(texels.begin(), texels.end());
   write("map.tif", tiffFile({.width = 4, .height = 2}, texels));
-  write("map.webp", webpOf(Image8(4, 2, 3, 255), 101));
+  write("map.webp", encodedWebp(Image8(4, 2, 3, 255), 101));
   write("map.tga", tgaFile({.width = 4, .height = 2}, texels));
   write("map.bmp", bmpFile({.width = 4, .height = 2}, texels));
   write("map.ppm", "P6 4 2 255\n" + plain);

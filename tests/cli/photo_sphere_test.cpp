@@ -19,8 +19,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kHalf = croppedAreaOf("128", "64", "256", "128", "512", "256");
-const std::string kStrip = croppedAreaOf("0", "64", "512", "128", "512", "256");
+const std::string kHalf = croppedArea("128", "64", "256", "128", "512", "256");
+const std::string kStrip = croppedArea("0", "64", "512", "128", "512", "256");
 
 /// Light between 0.1 and 0.9 that tells every direction from every other.
 glm::vec3 lightTowards(glm::vec3 direction) { return 0.5f + 0.4f * direction; }
@@ -206,7 +206,7 @@ TEST_F(PhotoSphereTest, OtherProjectionsAreNamedAndNothingIsGuessed) {
   EXPECT_THAT(refuse(1, "convert cylinder.jpg -o none.exr"),
               AllOf(HasSubstr("cylinder.jpg: is a panorama in the projection 'cylindrical', as its GPano says"),
                     HasSubstr("or name its form with --from")));
-  write("wrong.jpg", asPhotoSphere(bytes("part.jpg"), croppedAreaOf("400", "64", "256", "128", "512", "256")));
+  write("wrong.jpg", asPhotoSphere(bytes("part.jpg"), croppedArea("400", "64", "256", "128", "512", "256")));
   EXPECT_THAT(run("convert wrong.jpg -o wrong.exr").err,
               AllOf(HasSubstr("which reaches beyond a panorama of 512x256: that crop is ignored"),
                     HasSubstr("--from equirect:crop=X,Y,W,H/FULLWxFULLH says it by hand")));

@@ -10,9 +10,9 @@
 namespace mirrorball::testing {
 
 /// The attributes of a part of a panorama [texels].
-inline std::string croppedAreaOf(const std::string& left, const std::string& top, const std::string& width,
-                                 const std::string& height, const std::string& full_width,
-                                 const std::string& full_height) {
+inline std::string croppedArea(const std::string& left, const std::string& top, const std::string& width,
+                               const std::string& height, const std::string& full_width,
+                               const std::string& full_height) {
   const auto field = [](const std::string& name, const std::string& number) {
     return " GPano:" + name + "Pixels=\"" + number + "\"";
   };

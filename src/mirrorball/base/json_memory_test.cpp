@@ -92,9 +92,9 @@ std::uint64_t memoryForParsing(const std::string& text) {
   return taken;
 }
 
-// A little more than a power of two of each, so that what grows has just done so. The kernel counts the pages of a process
-// for each processor and adds them up from time to time, the more seldom the more processors there are: what it says of
-// the peak is up to a megabyte off, some 3 % of the bounds here.
+// A little more than a power of two of each, so that what grows has just done so. The kernel counts the pages of a
+// process for each processor and adds them up from time to time, the more seldom the more processors there are: the
+// peak that it reports is up to a megabyte off, some 3 % of the bounds here.
 TEST(JsonMemory, BoundsThePeakOfParsingToo) {
   if (testing::isSanitized()) GTEST_SKIP() << "the sanitizer has an allocator of its own";
   constexpr std::uint64_t kMiscounted = std::uint64_t{1} << 20;

@@ -41,7 +41,7 @@ Image rampOfLight(double min, double max) {
   return light;
 }
 
-std::vector<Photograph> seriesOf(const Image& light, const std::vector<double>& exposures, const Curve& curve) {
+std::vector<Photograph> bracketedSeries(const Image& light, const std::vector<double>& exposures, const Curve& curve) {
   std::vector<Photograph> series;
   for (const double exposure : exposures)
     series.push_back({"photo_" + std::to_string(series.size()) + ".jpg", exposed(light, exposure, curve), {}, {}});
@@ -75,7 +75,7 @@ TEST(Response, KnownCurvesAreRecovered) {
   for (const auto& [name, curve] :
        {std::pair<const char*, Curve>{"sRGB", srgb}, {"gamma 1.8", gamma18}, {"contrasty", contrasty}}) {
     SCOPED_TRACE(name);
-    const auto series = seriesOf(light, kExposures, curve);
+    const auto series = bracketedSeries(light, kExposures, curve);
     std::vector<const Image8*> codes;
     for (const Photograph& photograph : series) codes.push_back(&photograph.codes);
     const auto response = recoverResponse(codes, kExposures);
@@ -100,7 +100,7 @@ TEST(Response, AssumedCurvesMeetAtGrey) {
 
 TEST(Merge, KeepsTheRangeOfASeriesWithARecoveredCurve) {
   const Image light = rampOfLight(1e-2, 2e2);
-  const auto series = seriesOf(light, kExposures, srgb);
+  const auto series = bracketedSeries(light, kExposures, srgb);
   const auto merged = mergePhotographs(series, {.exposures = kExposures, .response = {}});
   ASSERT_TRUE(merged) << merged.error().message;
   EXPECT_EQ(merged->response, "recovered");
@@ -125,8 +125,8 @@ TEST(Merge, KeepsTheRangeOfASeriesWithARecoveredCurve) {
 TEST(Merge, KeepsARangeOfAHundredThousand) {
   const Image light = rampOfLight(2e-2, 2.4e3);
   const std::vector<double> exposures{1.0 / 4096, 1.0 / 256, 1.0 / 16, 1.0};
-  const auto merged =
-      mergePhotographs(seriesOf(light, exposures, srgb), {.exposures = exposures, .response = ResponseKind::srgb});
+  const auto merged = mergePhotographs(bracketedSeries(light, exposures, srgb),
+                                       {.exposures = exposures, .response = ResponseKind::srgb});
   ASSERT_TRUE(merged);
   double worst = 0.0;
   for (std::size_t i = 0; i < light.samples().size(); ++i)
@@ -141,8 +141,8 @@ TEST(Merge, ClippedEverywhereIsCountedAndTheShortestDecides) {
   for (int y = 10; y < 14; ++y)
     for (int x = 20; x < 25; ++x) std::fill_n(light.texel(x, y), 3, 1000.0f);
   const std::vector<double> exposures{0.5, 1.0};
-  const auto merged =
-      mergePhotographs(seriesOf(light, exposures, srgb), {.exposures = exposures, .response = ResponseKind::srgb});
+  const auto merged = mergePhotographs(bracketedSeries(light, exposures, srgb),
+                                       {.exposures = exposures, .response = ResponseKind::srgb});
   ASSERT_TRUE(merged);
   EXPECT_EQ(merged->clipped, 20u);
   // The brighter, 1 s, is the reference: its white is 1, and that of half the time is 2.
@@ -155,8 +155,8 @@ TEST(Merge, BlackEverywhereIsCounted) {
   Image light(32, 32, 3, 0.3f);
   std::fill_n(light.texel(3, 3), 3, 0.0f);
   const std::vector<double> exposures{0.5, 1.0};
-  const auto merged =
-      mergePhotographs(seriesOf(light, exposures, srgb), {.exposures = exposures, .response = ResponseKind::srgb});
+  const auto merged = mergePhotographs(bracketedSeries(light, exposures, srgb),
+                                       {.exposures = exposures, .response = ResponseKind::srgb});
   EXPECT_EQ(merged->black, 1u);
   EXPECT_EQ(merged->light.texel(3, 3)[1], 0.0f);
 }
@@ -168,7 +168,8 @@ TEST(Merge, OneThatContradictsTheOthersIsNamed) {
       SCOPED_TRACE(wrong);
       auto taken = kExposures;
       taken[wrong] *= factor;
-      const auto merged = mergePhotographs(seriesOf(light, taken, srgb), {.exposures = kExposures, .response = {}});
+      const auto merged =
+          mergePhotographs(bracketedSeries(light, taken, srgb), {.exposures = kExposures, .response = {}});
       ASSERT_TRUE(merged);
       for (std::size_t i = 0; i < kExposures.size(); ++i)
         EXPECT_NEAR(merged->contradicts_stops[i], i == wrong ? std::log2(factor) : 0.0, 0.3) << i;
@@ -180,25 +181,25 @@ TEST(Merge, OneIsNamedWhereTheResponseCouldBendToIt) {
   Image light(100, 100, 3, 0.05f);
   for (int y = 0; y < 50; ++y) std::fill_n(light.row(y).data(), 300, 2.0f);
   const std::vector<double> taken{1.0 / 64, 1.0 / 8, 1.0}, said{1.0 / 64, 1.0 / 2, 1.0};
-  const auto merged = mergePhotographs(seriesOf(light, taken, srgb), {.exposures = said, .response = {}});
+  const auto merged = mergePhotographs(bracketedSeries(light, taken, srgb), {.exposures = said, .response = {}});
   ASSERT_TRUE(merged);
   EXPECT_NEAR(merged->contradicts_stops[1], -2.0, 0.3);
   // A camera unlike sRGB contradicts nothing.
   const auto linear = [](double l) { return l; };
-  const auto right = mergePhotographs(seriesOf(rampOfLight(1e-2, 100.0), kExposures, linear),
+  const auto right = mergePhotographs(bracketedSeries(rampOfLight(1e-2, 100.0), kExposures, linear),
                                       {.exposures = kExposures, .response = {}});
   EXPECT_THAT(right->contradicts_stops, Each(::testing::DoubleNear(0.0, kContradiction_stops)));
 }
 
 TEST(Merge, OnePhotographNeedsNoTime) {
-  const auto merged = mergePhotographs(seriesOf(Image(8, 8, 3, 0.3f), {1.0}, srgb), {});
+  const auto merged = mergePhotographs(bracketedSeries(Image(8, 8, 3, 0.3f), {1.0}, srgb), {});
   ASSERT_TRUE(merged);
   EXPECT_NEAR(*merged->light.texel(2, 2), 0.3f, 0.003f);
   EXPECT_EQ(merged->response, "assumed sRGB");
 }
 
 TEST(Merge, IsTheSameForAnyNumberOfThreads) {
-  const auto series = seriesOf(rampOfLight(1e-2, 100.0), kExposures, srgb);
+  const auto series = bracketedSeries(rampOfLight(1e-2, 100.0), kExposures, srgb);
   const auto many = mergePhotographs(series, {.exposures = kExposures, .response = {}});
   const testing::OneThread one;
   const auto single = mergePhotographs(series, {.exposures = kExposures, .response = {}});
@@ -215,13 +216,13 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
     return merged.error();
   };
   const Image light(40, 40, 3, 0.2f);
-  auto series = seriesOf(light, {0.5, 1.0}, srgb);
+  auto series = bracketedSeries(light, {0.5, 1.0}, srgb);
   EXPECT_EQ(errorOf(series, {}, ErrorCode::usage).fix_hint, FixHint::give_exposures);
   EXPECT_THAT(errorOf(series, {.exposures = {1.0}, .response = {}}, ErrorCode::usage).message,
               HasSubstr("1 exposure is given for 2 photographs"));
   EXPECT_THAT(errorOf(series, {.exposures = {1.0, 1.0}, .response = {}}, ErrorCode::usage).message,
               HasSubstr("different"));
-  const auto black = seriesOf(Image(40, 40, 3, 0.0f), {0.5, 1.0}, srgb);
+  const auto black = bracketedSeries(Image(40, 40, 3, 0.0f), {0.5, 1.0}, srgb);
   EXPECT_EQ(errorOf(black, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).fix_hint,
             FixHint::name_response);
   auto mixed = series;
@@ -231,7 +232,7 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
   colors[1].color.primaries = kDisplayP3;
   EXPECT_THAT(errorOf(colors, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message,
               HasSubstr("photo_1.jpg: says of its colours sRGB, primaries of the file (Display P3)"));
-  series[1] = seriesOf(Image(40, 41, 3, 0.2f), {1.0}, srgb)[0];
+  series[1] = bracketedSeries(Image(40, 41, 3, 0.2f), {1.0}, srgb)[0];
   const std::string sizes = errorOf(series, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message;
   EXPECT_THAT(sizes, HasSubstr("40x41"));
   EXPECT_THAT(sizes, HasSubstr("40x40"));
@@ -243,7 +244,7 @@ TEST(Merge, PrimariesAreConvertedOnceCodesAreLight) {
   const glm::vec3 stored = glm::inverse(*rec709FromPrimaries(kDisplayP3)) * light;
   Image p3(40, 40, 3);
   for (std::size_t i = 0; i < p3.samples().size(); ++i) p3.samples()[i] = stored[int(i % 3)];
-  auto single = seriesOf(p3, {1.0}, srgb);
+  auto single = bracketedSeries(p3, {1.0}, srgb);
   single[0].color.primaries = kDisplayP3;
   const auto merged = mergePhotographs(single, {});
   ASSERT_TRUE(merged) << merged.error().message;
@@ -251,7 +252,7 @@ TEST(Merge, PrimariesAreConvertedOnceCodesAreLight) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(merged->light.texel(20, 20)[c], light[c], 0.003f);
 
   const double power = 1.8;
-  auto of_power = seriesOf(p3, {1.0}, gamma18);
+  auto of_power = bracketedSeries(p3, {1.0}, gamma18);
   of_power[0].color = {Transfer::gamma, power, kDisplayP3};
   const auto by_file = mergePhotographs(of_power, {});
   ASSERT_TRUE(by_file);

@@ -26,7 +26,7 @@ struct Box {
   }
 };
 
-/// The same of places whose numbers floats do not hold.
+/// A box in double precision, for places whose numbers floats do not hold.
 struct DoubleBox {
   glm::dvec3 low{INFINITY};
   glm::dvec3 high{-INFINITY};

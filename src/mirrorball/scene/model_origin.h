@@ -21,7 +21,7 @@ namespace mirrorball {
 /// Where in the file's coordinates the origin of a model with that box should be: 0 for one that is not far from it,
 /// else near its middle, with no more digits than tell it from its neighbours.
 glm::dvec3 originFor(const DoubleBox& box);
-/// The same of a model of such vertices; those that are no numbers do not count.
+/// As above, for a model of such vertices; NaN and infinite ones do not count.
 glm::dvec3 originFor(std::span<const glm::dvec3> vertices);
 
 /// Says where the origin of a scene is whose vertices a reader has moved there.

@@ -28,7 +28,7 @@ Image8 picture(int channels) { return pictureFromLinear(testing::gradient(13, 11
 TEST(Webp, LosslessComesBack) {
   for (const int channels : {3, 4}) {
     const Image8 source = picture(channels);
-    const Bytes bytes = webpOf(source, kLossless);
+    const Bytes bytes = encodedWebp(source, kLossless);
     const auto image = decodeImage(bytes);
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_THAT(image->image.samples(), ElementsAreArray(linearFromPicture(source).samples()));
@@ -49,12 +49,12 @@ TEST(Webp, LossyComesBackWithinItsQuality) {
     for (int x = 0; x < 40; ++x)
       for (int c = 0; c < 3; ++c) smooth.texel(x, y)[c] = static_cast<std::uint8_t>(60 + 3 * x + 2 * y);
   smooth.texel(3, 4)[3] = 128;
-  const auto texture = decodeTexture(webpOf(smooth, 95));
+  const auto texture = decodeTexture(encodedWebp(smooth, 95));
   ASSERT_TRUE(texture) << texture.error().message;
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x) ASSERT_NEAR(texture->texel(x, y)[1], smooth.texel(x, y)[1], 6);
   EXPECT_EQ(texture->texel(3, 4)[3], 128);  // alpha is lossless
-  EXPECT_EQ(decodeImage(webpOf(smooth, 95))->format, "WebP, lossy");
+  EXPECT_EQ(decodeImage(encodedWebp(smooth, 95))->format, "WebP, lossy");
 }
 
 TEST(Webp, AProfileIsNamedAndOneOfAMatrixConverted) {
@@ -91,7 +91,7 @@ TEST(Webp, AnAnimationIsRefused) {
 
 TEST(Webp, EveryTruncationIsAnError) {
   for (const float quality : {80.0f, kLossless}) {
-    const Bytes bytes = webpOf(picture(4), quality);
+    const Bytes bytes = encodedWebp(picture(4), quality);
     for (std::size_t length = 12; length < bytes.size(); ++length) {
       const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
       const auto result = decodeImage(part);
@@ -103,11 +103,11 @@ TEST(Webp, EveryTruncationIsAnError) {
 
 using testing::Damage;
 
-INSTANTIATE_TEST_SUITE_P(Webp, Damage,
-                         ::testing::Values(testing::DamagedFile{"WebpLossy", [] { return webpOf(picture(3), 80); }},
-                                           testing::DamagedFile{"WebpLossless",
-                                                                [] { return webpOf(picture(3), 101); }}),
-                         testing::nameOfDamaged);
+INSTANTIATE_TEST_SUITE_P(
+    Webp, Damage,
+    ::testing::Values(testing::DamagedFile{"WebpLossy", [] { return encodedWebp(picture(3), 80); }},
+                      testing::DamagedFile{"WebpLossless", [] { return encodedWebp(picture(3), 101); }}),
+    testing::nameOfDamaged);
 
 }  // namespace
 }  // namespace mirrorball

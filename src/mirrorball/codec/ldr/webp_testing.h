@@ -14,7 +14,7 @@ namespace mirrorball::testing {
 /// A picture of 3 or 4 channels as libwebp writes it.
 ///
 /// quality  0 to 100; 101: lossless, the colours of what is transparent too
-inline Bytes webpOf(const Image8& picture, float quality) {
+inline Bytes encodedWebp(const Image8& picture, float quality) {
   WebPConfig config;
   EXPECT_TRUE(WebPConfigInit(&config));
   config.lossless = quality > 100.0f ? 1 : 0;
@@ -43,7 +43,7 @@ inline Bytes webpOf(const Image8& picture, float quality) {
 ///
 /// flags    0x20 there is a profile, 0x02 an animation
 inline Bytes extendedWebp(const Image8& picture, std::uint8_t flags, std::string_view type, const Bytes& data) {
-  const Bytes simple = webpOf(picture, 101);
+  const Bytes simple = encodedWebp(picture, 101);
   Bytes chunks;
   const auto append = [&](std::string_view name, const Bytes& content) {
     chunks.insert(chunks.end(), name.begin(), name.end());

@@ -124,7 +124,7 @@ Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> by
                                                 std::size_t size) {
   const std::string place = "the data format descriptor at byte " + std::to_string(begin);
   const std::uint8_t* descriptor = bytes.data() + begin;
-  // SlimKTX2, with which the environments of the glTF Sample Viewer were made (KhronosGroup/glTF-Sample-Environments#6).
+  // SlimKTX2 made the environments of the glTF Sample Viewer so (KhronosGroup/glTF-Sample-Environments#6).
   if (size == 0 || (size >= 4 && littleU32(descriptor) == 0)) return DescribedColor{.is_missing = true};
   if (size < 4 + kBlockSize || littleU32(descriptor) != size)
     return fail(ErrorCode::bad_file,

@@ -121,8 +121,8 @@ Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {
   return {};
 }
 
-/// The sizes of DDS_HEADER and DDS_PIXELFORMAT, which state themselves. Some programs of Direct3D 9 write 24 for either,
-/// or 0 for the latter (microsoft/DirectXTex#399, #392, #371); the rest of their headers is right.
+/// The sizes of DDS_HEADER and DDS_PIXELFORMAT, which state themselves. Some programs of Direct3D 9 write 24 for
+/// either, or 0 for the latter (microsoft/DirectXTex#399, #392, #371); the rest of their headers is right.
 Result<void> checkHeaderSizes(std::uint32_t header_size, std::uint32_t pixel_format_size, DdsHeader& header) {
   constexpr std::uint32_t kHeader = 124;
   constexpr std::uint32_t kPixelFormat = 32;

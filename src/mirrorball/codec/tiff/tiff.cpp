@@ -202,7 +202,7 @@ CodedColor colorOfCodes(const TiffLayout& layout) {
 }
 
 /// EXIF is the tags of a TIFF.
-CodedFile codedFileOf(CodedPicture codes, const TiffLayout& layout, Span bytes) {
+CodedFile makeCodedFile(CodedPicture codes, const TiffLayout& layout, Span bytes) {
   return {.codes = std::move(codes),
           .color = colorOfCodes(layout),
           .orientation = layout.orientation,
@@ -238,7 +238,7 @@ Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (!layout.is_float) {
     MIRRORBALL_TRY(codes, readPicture(file, layout, options.progress));
-    return asImage(codedFileOf(std::move(codes), layout, bytes));
+    return asImage(makeCodedFile(std::move(codes), layout, bytes));
   }
   MIRRORBALL_TRY(stored, readLight(file, layout, options.progress));
   Image light = upright(std::move(stored), layout.orientation);
@@ -254,7 +254,7 @@ Result<CodedFile> decodeTiffCodes(Span bytes, CodeForm) {
   if (layout.is_float)
     return fail(ErrorCode::unsupported, "holds floats, and a texture has integers; save it with 8 or 16 bits");
   MIRRORBALL_TRY(codes, readPicture(file, layout, {}));
-  return codedFileOf(std::move(codes), layout, bytes);
+  return makeCodedFile(std::move(codes), layout, bytes);
 }
 
 bool isTiffOfIntegers(Span bytes) {

@@ -12,8 +12,9 @@
 namespace mirrorball {
 
 /// The arrangements in which six images may lie that do not say it, in the order in which they are tried: that by which
-/// they are expected, then those of the sides that programs have, upright, by OpenGL's table or, if they are not expected
-/// by that, as an eye sees them (docs/conventions.md), each with the images of ±Y turned by every number of quarters.
+/// they are expected, then those of the sides that programs have, upright, by OpenGL's table or, if they are not
+/// expected by that, as an eye sees them (docs/conventions.md), each with the images of ±Y turned by every number of
+/// quarters.
 ///
 /// is_numbered  whether names only count them: then also in the order front, right, back, left, up, down
 std::vector<CubeArrangement> possibleArrangements(const CubeArrangement& expected, bool is_numbered = false);

@@ -54,8 +54,8 @@ void add(const NonFinite& more, NonFinite& total) {
   total.count += more.count;
 }
 
-/// How six faces in one picture may lie, each in its own place: first by OpenGL's table. Mirrored, a whole cross goes on
-/// across its edges as before; in strips each face may be mirrored by itself.
+/// How six faces in one picture may lie, each in its own place: first by OpenGL's table. Mirrored, a whole cross goes
+/// on across its edges as before; in strips each face may be mirrored by itself.
 std::vector<CubeArrangement> arrangementsIn(CubeLayout layout) {
   constexpr std::array kPoles{SignedAxis::plus_y, SignedAxis::minus_y};
   constexpr std::array kBack{SignedAxis::minus_z};

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using testing::GltfMaker;
 
 TEST(GltfWebp, ReadsThePictureThatTheWebpExtensionNames) {
-  const Bytes webp = testing::webpOf(Image8(1, 1, 3, 77), 101);
+  const Bytes webp = testing::encodedWebp(Image8(1, 1, 3, 77), 101);
   for (const std::string beside : {"", R"("source":0,)"}) {
     GltfMaker maker;
     maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");

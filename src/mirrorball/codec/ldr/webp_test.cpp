@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
-using testing::webpOf;
+using testing::encodedWebp;
 
 constexpr float kLossless = 101.0f;
 

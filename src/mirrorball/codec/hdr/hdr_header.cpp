@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/decimal_comma.h"
 #include "mirrorball/codec/metadata.h"
 
 namespace mirrorball {
@@ -95,10 +96,7 @@ class VariableReader {
   /// A number, also as "1,5", which programs write whose locale has decimal commas.
   std::optional<double> numberIn(std::string_view word) {
     if (const auto number = parseNumber(word)) return number;
-    if (std::count(word.begin(), word.end(), ',') != 1 || word.find('.') != std::string_view::npos) return {};
-    std::string with_point(word);
-    with_point[with_point.find(',')] = '.';
-    const auto number = parseNumber(with_point);
+    const auto number = parseDecimalComma(word);
     has_decimal_comma_ = has_decimal_comma_ || number;
     return number;
   }

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/decimal_comma.h"
 #include "mirrorball/codec/ldr/pnm.h"
 #include "mirrorball/codec/ldr/pnm_header.h"
 
@@ -12,9 +14,13 @@ namespace {
 using Span = std::span<const std::uint8_t>;
 
 /// The number whose sign is the byte order, − for little-endian, and whose size is the samples' unit.
-Result<float> readScale(PnmWords& words) {
+Result<float> readScale(PnmWords& words, std::vector<std::string>& oddities) {
   const std::string_view word = words.word();
-  const auto scale = parseNumber(word);
+  auto scale = parseNumber(word);
+  if (!scale) {
+    scale = parseDecimalComma(word);
+    if (scale) oddities.emplace_back("its scale has a decimal comma: read as a point");
+  }
   if (!scale || !std::isnormal(static_cast<float>(*scale)))
     return words.failure("the scale should be a number other than 0", word);
   return static_cast<float>(*scale);
@@ -33,10 +39,12 @@ Result<DecodedImage> decodePfm(Span bytes) {
   words.skip(2);
   MIRRORBALL_TRY(width, words.number("the width", kMaxSide));
   MIRRORBALL_TRY(height, words.number("the height", kMaxSide));
-  MIRRORBALL_TRY(scale, readScale(words));
-  MIRRORBALL_TRY_VOID(words.endHeader());
+  std::vector<std::string> oddities;
+  MIRRORBALL_TRY(scale, readScale(words, oddities));
   const int channels = bytes[1] == 'F' ? 3 : 1;
   MIRRORBALL_TRY_VOID(checkDimensions(width, height));
+  MIRRORBALL_TRY(has_cr_lf, words.endHeader(sizeof(float) * std::uint64_t(channels) * width * height));
+  if (has_cr_lf) oddities.push_back(PnmWords::crLfText());
   MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(width), static_cast<int>(height), channels));
   const Span stored = bytes.subspan(words.position());
   if (stored.size() / sizeof(float) / std::size_t(channels) / width < height)
@@ -51,7 +59,9 @@ Result<DecodedImage> decodePfm(Span bytes) {
     }
   std::string format = std::string("PFM, ") + (scale < 0.0f ? "little" : "big") + "-endian";
   if (std::abs(scale) != 1.0f) format += ", scaled by " + formatNumber(static_cast<double>(std::abs(scale)));
-  return DecodedImage{std::move(image), {}, std::move(format), describeColor(kLinearLight, {}, channels)};
+  DecodedImage decoded{std::move(image), {}, std::move(format), describeColor(kLinearLight, {}, channels)};
+  decoded.oddities = std::move(oddities);
+  return decoded;
 }
 
 }  // namespace mirrorball

@@ -31,6 +31,7 @@ struct PnmHeader {
   int channels = 0;  ///< stored ones: 1, 2 (grey and alpha), 3 or 4
   std::uint32_t max = 1;
   std::size_t samples_at = 0;
+  bool ends_with_cr_lf = false;
 
   bool isBitmap() const { return version == '1' || version == '4'; }
   /// A share of 15 or 85 is one of 255 too; others need more than 8 bits.
@@ -94,14 +95,16 @@ Result<PnmHeader> readPnmHeader(Span bytes) {
     }
   }
   if (header.max == 0) return fail(ErrorCode::bad_file, "says that its greatest sample is 0");
-  MIRRORBALL_TRY_VOID(words.endHeader());
+  MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
+  const bool is_text = header.coding == Coding::text;
+  MIRRORBALL_TRY(has_cr_lf, words.endHeader(is_text ? 0 : std::uint64_t(header.rowBytes()) * header.height));
+  header.ends_with_cr_lf = has_cr_lf && !is_text;
   header.samples_at = words.position();
   return header;
 }
 
 /// Before memory is taken. A sample of a text has at least one byte.
 Result<void> checkSize(const PnmHeader& header, Span bytes) {
-  MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
   MIRRORBALL_TRY_VOID(checkPictureMemory(header.width, header.height, header.channels == 2 ? 4 : header.channels,
                                          header.fitsEightBits() ? 1 : 2));
   const std::size_t row = header.coding == Coding::text ? header.rowSamples() : header.rowBytes();
@@ -191,7 +194,9 @@ Result<CodedFile> decodePnm(Span bytes, CodeForm) {
   constexpr std::string_view kNames[]{"PBM, text", "PGM, text", "PPM, text", "PBM", "PGM", "PPM", "PAM"};
   std::string format(kNames[header.version - '1']);
   if (!header.isBitmap()) format += ", 0 to " + std::to_string(header.max);
-  return CodedFile{.codes = std::move(codes), .format = std::move(format)};
+  CodedFile file{.codes = std::move(codes), .format = std::move(format)};
+  if (header.ends_with_cr_lf) file.oddities.push_back(PnmWords::crLfText());
+  return file;
 }
 
 }  // namespace mirrorball

@@ -23,7 +23,8 @@ Result<CodedFile> decodePnm(std::span<const std::uint8_t> bytes, CodeForm form =
 bool isPfm(std::span<const std::uint8_t> bytes);
 
 /// Decodes a Portable FloatMap, grey or RGB, in either byte order: linear light, Rec.709. Rows are stored bottom up.
-/// The size of the number whose sign tells the byte order is the unit of the samples: they are multiplied by it.
+/// The size of the number whose sign tells the byte order is the unit of the samples: they are multiplied by it. Its
+/// decimal comma, and a header that ends with CR LF, are reported.
 ///
 /// errors   bad_file; too_large
 /// from     P. Debevec, "Portable FloatMap Image Format"; Netpbm's page pfm(5)

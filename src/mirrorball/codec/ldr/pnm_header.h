@@ -59,14 +59,21 @@ class PnmWords {
     return static_cast<std::uint32_t>(digit == "1");
   }
 
-  /// Passes the one blank that ends a header.
-  Result<void> endHeader() {
-    if (at_ < text_.size() && isBlank(text_[at_])) {
-      ++at_;
-      return {};
-    }
-    return failure("a blank should end the header", text_.substr(at_, 1));
+  /// Passes the one blank that ends a header. Programs on Windows end it with CR LF, of which the LF may as well be the
+  /// first sample's byte: it is none where more bytes follow than the samples have.
+  ///
+  /// sample_bytes  how many the samples have
+  /// returns       whether CR LF was passed
+  Result<bool> endHeader(std::uint64_t sample_bytes) {
+    if (at_ >= text_.size() || !isBlank(text_[at_]))
+      return failure("a blank should end the header", text_.substr(at_, 1));
+    const bool has_two = text_.substr(at_, 2) == "\r\n" && text_.size() - at_ - 1 > sample_bytes;
+    at_ += has_two ? 2 : 1;
+    return has_two;
   }
+
+  /// The remark on a header that ends so.
+  static std::string crLfText() { return "its header ends with CR LF: the samples begin behind both"; }
 
   tl::unexpected<Error> failure(const std::string& what, std::string_view found) const {
     const std::string there = found.empty() ? "the file ends there" : "it is '" + excerpt(found, 20) + "'";

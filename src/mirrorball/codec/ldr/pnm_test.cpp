@@ -16,6 +16,7 @@ namespace {
 using testing::bytesOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::vector<int> codesOfPnm(const std::string& file) {
   const auto texture = decodeTexture(bytesOf(file));
@@ -61,6 +62,20 @@ TEST(Pnm, SixteenBitsComeHighByteFirstAndKeepTheirPrecision) {
   // 500 of 1000 is a half: 32768 of 65535.
   const std::uint16_t half = 32768;
   EXPECT_EQ(decodedPnm("P2 1 1 1000 500").image.samples()[0], linearFromSamples16({&half, 1}, 1, 1, 1).samples()[0]);
+}
+
+// Windows programs end lines with CR LF. Of a file of just the right size the LF is a sample.
+TEST(Pnm, TheHeaderMayEndWithCrLf) {
+  const std::string remark = "its header ends with CR LF: the samples begin behind both";
+  EXPECT_THAT(codesOfPnm("P6\r\n1 1\r\n255\r\nABC"), ElementsAre(65, 66, 67, 255));
+  EXPECT_THAT(decodedPnm("P6\r\n1 1\r\n255\r\nABC").oddities, ElementsAre(remark));
+  EXPECT_THAT(codesOfPnm("P4 2 2\r\n\x40\x80").front(), 255);
+  EXPECT_THAT(codesOfPnm("P7\r\nWIDTH 1\r\nHEIGHT 1\r\nDEPTH 1\r\nMAXVAL 255\r\nENDHDR\r\nA"),
+              ElementsAre(65, 65, 65, 255));
+  EXPECT_THAT(codesOfPnm("P6 1 1 255\r\nBC"), ElementsAre(10, 66, 67, 255));
+  EXPECT_THAT(decodedPnm("P6 1 1 255\r\nBC").oddities, IsEmpty());
+  EXPECT_THAT(codesOfPnm("P2\r\n1 1\r\n255\r\n7\r\n"), ElementsAre(7, 7, 7, 255));
+  EXPECT_THAT(decodedPnm("P2\r\n1 1\r\n255\r\n7\r\n").oddities, IsEmpty());
 }
 
 TEST(Pnm, PamHasAlpha) {
@@ -120,6 +135,27 @@ TEST(Pfm, TheScaleIsTheSamplesUnit) {
   EXPECT_THAT(image->image.samples(), ElementsAre(2.5f, 10.0f));
   EXPECT_EQ(image->format, "PFM, little-endian, scaled by 2.5");
   EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 0 " + floatBytes({1, 4}, false))));
+}
+
+TEST(Pfm, TheHeaderMayEndWithCrLf) {
+  const std::string samples = floatBytes({1, 2, 3, 0.25f, 1e6f, -5}, false);
+  const auto image = decodePfm(bytesOf("PF\r\n1 2\r\n-1.0\r\n" + samples));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->image.samples(), ElementsAre(0.25f, 1e6f, -5.0f, 1.0f, 2.0f, 3.0f));
+  EXPECT_THAT(image->oddities, ElementsAre("its header ends with CR LF: the samples begin behind both"));
+  // The LF is the first byte of the sample 0x3f80000a.
+  const auto exact = decodePfm(bytesOf(std::string("Pf 1 1 -1\r\n") + '\0' + "\x80\x3f"));
+  ASSERT_TRUE(exact) << exact.error().message;
+  EXPECT_EQ(exact->image.samples()[0], bitCast<float>(0x3f80000au));
+  EXPECT_THAT(exact->oddities, IsEmpty());
+}
+
+TEST(Pfm, TheScaleMayHaveADecimalComma) {
+  const auto image = decodePfm(bytesOf("Pf 2 1 -2,500000\n" + floatBytes({1, 4}, false)));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->image.samples(), ElementsAre(2.5f, 10.0f));
+  EXPECT_THAT(image->oddities, ElementsAre("its scale has a decimal comma: read as a point"));
+  EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 -1,0.0\n" + floatBytes({1, 4}, false))));
 }
 
 TEST(Pfm, EveryTruncationIsAnError) {

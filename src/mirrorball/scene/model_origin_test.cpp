@@ -271,7 +271,8 @@ TEST(ModelOrigin, PlacesOfOptionsAreInTheFilesCoordinates) {
 
 TEST(PlaceText, ReadsBackWhatItWrites) {
   EXPECT_EQ(writtenPlace(glm::dvec3(0.5, -1e20, 4400000.1)), "0.5,-1e+20,4400000.1");
-  EXPECT_EQ(writtenPlace(glm::dvec3(glm::vec3(0.3f))), "0.3,0.3,0.3") << "of a float, as that float";
+  EXPECT_EQ(writtenPlace(placeInFile(glm::vec3(0.3f), glm::dvec3(0.0))), "0.3,0.3,0.3") << "of a float, as that";
+  EXPECT_EQ(writtenPlace(glm::dvec3(-3099999.75)), "-3099999.75,-3099999.75,-3099999.75");
   const OptionText text{.name = "at", .min_count = 3, .max_count = 3};
   EXPECT_THAT(*parseExactNumbers(text, "4400000.1,2,0.3"), ElementsAre(4400000.1, 2.0, 0.3));
   EXPECT_FALSE(parseExactNumbers(text, "1,2"));

@@ -15,7 +15,13 @@ namespace mirrorball {
 /// errors   usage
 Result<std::vector<double>> parseExactNumbers(const OptionText& text, std::string_view written);
 
-/// "1,2.5,4000000.3": the shortest numbers that read back as the same place; of one that was a float, as that float.
+/// "1,2.5,4000000.3": the shortest numbers that read back as the same place.
 std::string writtenPlace(glm::dvec3 place);
+
+/// A place in a scene in the coordinates of its file, as options name it. Near their origin it is by its shortest text:
+/// 0.1 rather than 0.10000000149.
+///
+/// origin   Scene::origin
+glm::dvec3 placeInFile(glm::vec3 place, glm::dvec3 origin);
 
 }  // namespace mirrorball

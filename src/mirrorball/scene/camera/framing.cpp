@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/place_text.h"
 
 namespace mirrorball {
 namespace {
@@ -284,7 +285,7 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
     }
   }
   const glm::dvec3 looked_at = view.lookedAt(camera);
-  chosen.target = bounds.inFile(glm::vec3(target + view.inWorld(looked_at)));
+  chosen.target = placeInFile(glm::vec3(target + view.inWorld(looked_at)), bounds.origin);
   if (!is_parallel) chosen.distance = static_cast<float>((camera.z - looked_at.z) / radius);
   return chosen;
 }

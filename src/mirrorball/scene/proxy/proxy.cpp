@@ -143,7 +143,7 @@ Result<Proxy> placedProxy(const ProxyOptions& options, const Scene& scene) {
     proxy = std::move(placed);
     if (proxy.center.y <= proxy.ground || proxy.radius <= proxy.center.y - proxy.ground)
       return fail(ErrorCode::usage,
-                  "the panorama's camera at " + writtenPlace(glm::dvec3(proxy.captured_at) + scene.origin) +
+                  "the panorama's camera at " + writtenPlace(placeInFile(proxy.captured_at, scene.origin)) +
                       " is not above the ground, which is at " + formatNumber(proxy.ground + scene.origin.y) +
                       ", within the dome of radius " + formatNumber(proxy.radius));
   }
@@ -152,7 +152,7 @@ Result<Proxy> placedProxy(const ProxyOptions& options, const Scene& scene) {
     proxy = std::move(placed);
   }
   if (!proxy.holds(proxy.captured_at))
-    return fail(ErrorCode::usage, "the map's place " + writtenPlace(glm::dvec3(proxy.captured_at) + scene.origin) +
+    return fail(ErrorCode::usage, "the map's place " + writtenPlace(placeInFile(proxy.captured_at, scene.origin)) +
                                       " is not within its proxy " + writtenProxy(options));
   return proxy;
 }

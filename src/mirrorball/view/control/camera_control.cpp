@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/place_text.h"
 #include "mirrorball/view/control/degrees.h"
 
 namespace mirrorball {
@@ -45,7 +46,7 @@ void turn(CameraOptions& camera, glm::vec2 by_deg) {
 /// by   in model radii
 void shift(CameraOptions& camera, const BoundingSphere& bounds, glm::vec3 by) {
   const glm::vec3 before = camera.target ? bounds.inScene(*camera.target) : bounds.center;
-  camera.target = bounds.inFile(before + bounds.radius * by);
+  camera.target = placeInFile(before + bounds.radius * by, bounds.origin);
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ CameraOptions placedCamera(const Scene& scene, const BoundingSphere& bounds, con
                            float aspect) {
   if (!options.name.empty()) return options;
   CameraOptions placed = framed(scene, bounds, options, aspect);
-  if (!placed.target) placed.target = bounds.inFile(bounds.center);
+  if (!placed.target) placed.target = placeInFile(bounds.center, bounds.origin);
   // Only a framing asks for the ground.
   placed.ground_reach = 0.0f;
   placed.ground_light = glm::vec3(0.0f);

@@ -86,6 +86,18 @@ TEST_F(BadModelTest, OneWithoutAnyAreaIsTold) {
   EXPECT_EQ(outcome.err, "mirrorball: note: point.obj: none of its triangles has an area; nothing is seen\n");
 }
 
+// 128 of 255 and not 128 times white.
+TEST_F(BadModelTest, ColoursInCodesAreTold) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{-9, -9, 0, 9, -9, 0, 0, 9, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint8_t>{128, 0, 0, 255, 128, 0, 0, 255, 128, 0, 0, 255}, "VEC4");
+  const std::string unlit = R"("materials":[{"extensions":{"KHR_materials_unlit":{}}}])";
+  write("codes.gltf", maker.gltf(R"({"attributes":{"POSITION":0,"COLOR_0":1},"material":0})", unlit));
+  drawWithNote("codes.gltf", "accessors[1]: is of colours in integers that are not 'normalized'");
+  EXPECT_EQ(run("render codes.gltf -e white --size 8x8 -o out.exr").exit_code, 0);
+  EXPECT_NEAR(image("out.exr").texel(4, 4)[0], 128.0f / 255.0f, 1e-3f);
+}
+
 TEST_F(BadModelTest, AnOpenSurfaceOfGlassIsTold) {
   const Outcome open = run("render teapot --material glass -e white --size 8x8 -o out.png");
   EXPECT_EQ(open.exit_code, 0);

@@ -350,6 +350,8 @@ class SceneBuilder {
       for (const Damage& damage : read[i]->damage) file_.remarks.leaveOut(damage.error, damage.what);
       repair += read[i]->repair;
       tangents_made += read[i]->tangents_made;
+      if (read[i]->colors != ColorOddity::none)
+        file_.remarks.tellOnce(jobs[i].key + ".attributes.COLOR_0", remarkOn(read[i]->colors));
       Mesh& mesh = read[i]->mesh;
       if (mesh.indices.empty()) continue;
       mesh.material = jobs[i].material;

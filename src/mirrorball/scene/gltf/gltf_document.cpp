@@ -17,6 +17,7 @@
 #include "mirrorball/scene/gltf/gltf_extensions.h"
 #include "mirrorball/scene/gltf/gltf_json_text.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
+#include "mirrorball/scene/gltf/gltf_vertex_color.h"
 
 // Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
 
@@ -305,8 +306,10 @@ Result<Document> parseDocument(std::string_view text, MemoryBudget& budget, Rema
   parts.read(root["samplers"], parseSampler, document.samplers);
   parts.read(root["textures"], parseTexture, document.textures);
   parts.read(root["materials"], parseMaterial, document.materials);
+  tellOfMiscounted(document.materials, remarks);
   document.tex_coord_sets = texCoordSets(document.materials);
   parts.read(root["meshes"], parseMesh, document.meshes);
+  normalizeColors(document, remarks);
   parts.read(root["cameras"], parseCamera, document.cameras);
   parts.read(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
   parts.read(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);

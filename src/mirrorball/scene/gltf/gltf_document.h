@@ -157,6 +157,8 @@ struct FileMaterial {
   glm::vec3 emissive_factor{0.0f};  ///< of which, times the strength, the emission is the product
   float emissive_strength = 1.0f;
   bool is_sheet = true;  ///< it is one without a thickness, where it transmits
+  /// The keys of its colours that have three numbers for four, or four for three.
+  std::vector<std::string_view> miscounted = {};
 };
 
 /// The sets of texture coordinates of a file that become those of our vertices: TEXCOORD_0 and TEXCOORD_1, unless its

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "formula/bsdf.h"
+#include "mirrorball/scene/gltf/gltf_file.h"
 
 namespace mirrorball::gltf {
 namespace {
@@ -30,8 +32,28 @@ TextureSlot parseSlot(const JsonReader& json) {
   return slot;
 }
 
+/// A colour's numbers, of which some programs write three for four, or four for three (Unity-glTF-Exporter issue 18):
+/// red, green and blue are the first in both.
+///
+/// key        of the colour in the material; not copied
+/// otherwise  three or four numbers
+std::vector<double> readColor(const JsonReader& material, std::string_view key, std::vector<double> otherwise,
+                              std::vector<std::string_view>& miscounted) {
+  const JsonReader color = material.at(key);
+  const std::size_t count = color.isArray() ? color.elements().size() : 0;
+  const std::size_t wanted = otherwise.size();
+  if (count == wanted || (count != 3 && count != 4)) return color.numbers(std::move(otherwise));
+  miscounted.push_back(key);
+  const double alpha = otherwise.back();
+  otherwise.resize(count, 1.0);
+  std::vector<double> numbers = color.numbers(std::move(otherwise));
+  numbers.resize(wanted, alpha);
+  return numbers;
+}
+
 /// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
-void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
+void readParameter(const MaterialParameter& parameter, const JsonReader& json, FileMaterial& read) {
+  Material& material = read.material;
   const JsonReader value = json.at(parameter.gltf);
   std::vector<double> numbers;
   if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
@@ -42,7 +64,7 @@ void readParameter(const MaterialParameter& parameter, const JsonReader& json, M
     const glm::vec3 before = material.**color;
     numbers = {before.x, before.y, before.z};
     if (gltfNumbers(parameter) == 4) numbers.push_back(material.opacity);
-    numbers = value.numbers(numbers);
+    numbers = readColor(json, parameter.gltf, std::move(numbers), read.miscounted);
   }
   setGltfNumbers(parameter, numbers, material);
 }
@@ -62,13 +84,17 @@ void readIndex(const JsonReader& json, Material& material) {
   if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) == 0.0) setInfiniteIndex(material);
 }
 
-/// KHR_materials_pbrSpecularGlossiness, as KHR_materials_specular says that it is converted: a dielectric of infinite
+/// KHR_materials_pbrSpecularGlossiness of a material that has it, as KHR_materials_specular says that it is converted: a dielectric of infinite
 /// index, whose specular colour is the model's, and whose base is weighed by what that leaves. Nothing is lost, nor do
 /// the two textures need to be alike, as where the share of metal is solved for.
-void readSpecularGlossiness(const JsonReader& json, FileMaterial& read) {
+void readSpecularGlossiness(const JsonReader& material_json, FileMaterial& read) {
+  const JsonReader json = material_json["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+  if (!json.exists()) return;
   const auto share = [](double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); };
-  const std::vector<double> diffuse = json["diffuseFactor"].numbers({1, 1, 1, 1});
-  const std::vector<double> specular = json["specularFactor"].numbers({1, 1, 1});
+  const std::vector<double> diffuse = readColor(
+      material_json, "extensions.KHR_materials_pbrSpecularGlossiness.diffuseFactor", {1, 1, 1, 1}, read.miscounted);
+  const std::vector<double> specular = readColor(
+      material_json, "extensions.KHR_materials_pbrSpecularGlossiness.specularFactor", {1, 1, 1}, read.miscounted);
   const float glossiness = share(json["glossinessFactor"].number(1.0));
   Material& material = read.material;
   material.metallic = 0.0f;
@@ -119,7 +145,7 @@ FileMaterial parseMaterial(const JsonReader& json) {
   if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
   if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
   for (const MaterialParameter& parameter : materialParameters())
-    if (!parameter.gltf.empty()) readParameter(parameter, json, material);
+    if (!parameter.gltf.empty()) readParameter(parameter, json, read);
   for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
   readIndex(json, material);
   const JsonReader extensions = json["extensions"];
@@ -129,11 +155,17 @@ FileMaterial parseMaterial(const JsonReader& json) {
   // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
   read.is_sheet = notNegative(extensions["KHR_materials_volume"]["thicknessFactor"], 0.0f) == 0.0f;
   material.thin_walled = material.transmission > 0.0f && read.is_sheet;
-  if (const JsonReader older = extensions["KHR_materials_pbrSpecularGlossiness"]; older.exists())
-    readSpecularGlossiness(older, read);
+  readSpecularGlossiness(json, read);
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
   if (extensions["KHR_materials_unlit"].exists()) return {.material = unlitOf(material)};
   return read;
+}
+
+void tellOfMiscounted(std::span<const FileMaterial> materials, Remarks& remarks) {
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    for (const std::string_view key : materials[i].miscounted)
+      remarks.tellOnce(quoted("materials", i) + "." + std::string(key),
+                       "has three numbers for four or four for three; its red, green and blue are read");
 }
 
 }  // namespace mirrorball::gltf

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mirrorball/base/json_reader.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
 #include "mirrorball/scene/material/material.h"
@@ -16,5 +18,8 @@ Material unlitOf(const Material& material);
 /// A material of a file, its numbers cut to their ranges; its slots hold indices into the file's textures and its sets
 /// of texture coordinates, which are not checked.
 FileMaterial parseMaterial(const JsonReader& json);
+
+/// Says of which colours the count of numbers is wrong.
+void tellOfMiscounted(std::span<const FileMaterial> materials, Remarks& remarks);
 
 }  // namespace mirrorball::gltf

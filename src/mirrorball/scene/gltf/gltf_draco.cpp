@@ -49,7 +49,18 @@ Result<void> checkCounts(const File& file, const Primitive& primitive, const dra
                                        std::to_string(corners) + " indices, not as many as its accessors' counts say");
 }
 
-Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
+/// Marks an attribute as normalized whose accessor says so. Encoders cannot say it in the compressed mesh (Cesium issue
+/// 6561).
+void markNormalized(const File& file, const Primitive& primitive, const std::string& name,
+                    draco::PointAttribute& attribute) {
+  const auto accessor = primitive.attributes.find(name);
+  const std::vector<Accessor>& accessors = file.document.accessors;
+  if (accessor == primitive.attributes.end() || accessor->second < 0) return;
+  const auto index = static_cast<std::size_t>(accessor->second);
+  if (index < accessors.size() && accessors[index].normalized) attribute.set_normalized(true);
+}
+
+Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, draco::Mesh& mesh,
                                const std::string& key) {
   MIRRORBALL_TRY_VOID(checkCounts(file, primitive, mesh, key));
   DracoMesh converted;
@@ -64,11 +75,13 @@ Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, con
     }
   }
   for (const auto& [name, id] : primitive.draco_attributes) {
-    const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
+    const int index = mesh.GetAttributeIdByUniqueId(static_cast<std::uint32_t>(id));
     const std::string attribute_key = key + ".attributes." + name;
-    if (attribute == nullptr)
+    if (index < 0)
       return fail(ErrorCode::bad_file, attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
-    MIRRORBALL_TRY(numbers, dracoNumbers(mesh, *attribute, attribute_key));
+    draco::PointAttribute& attribute = *mesh.attribute(index);
+    markNormalized(file, primitive, name, attribute);
+    MIRRORBALL_TRY(numbers, dracoNumbers(mesh, attribute, attribute_key));
     converted.attributes[name] = std::move(numbers);
   }
   return converted;

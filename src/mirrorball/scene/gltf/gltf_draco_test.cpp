@@ -1,5 +1,8 @@
+#include <memory>
 #include <random>
 
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/scene/gltf/gltf.h"
@@ -35,6 +38,41 @@ TEST(GltfDraco, ACompressedMeshSurvivesRandomDamage) {
       ASSERT_TRUE(scene) << scene.error().message;
     }
     if (scene) expectSafe(*scene);
+  }
+}
+
+/// A triangle whose colours a compressed mesh holds as bytes: encoders do not say there that they are normalized.
+Bytes compressedTriangle() {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int positions = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int colors = builder.AddAttribute(draco::GeometryAttribute::COLOR, 4, draco::DT_UINT8);
+  const float p[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::uint8_t c[] = {255, 51, 0, 255};
+  builder.SetAttributeValuesForFace(positions, draco::FaceIndex(0), p[0], p[1], p[2]);
+  builder.SetAttributeValuesForFace(colors, draco::FaceIndex(0), c, c, c);
+  const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+  draco::EncoderBuffer buffer;
+  EXPECT_TRUE(draco::Encoder().EncodeMeshToBuffer(*mesh, &buffer).ok());
+  return Bytes(buffer.data(), buffer.data() + buffer.size());
+}
+
+// Cesium issue 6561: colours that gltf-pipeline had compressed were 255 times too bright.
+TEST(GltfDraco, WhatIsNormalizedIsWhatTheAccessorSays) {
+  for (const bool says_so : {true, false}) {
+    GltfMaker maker;
+    maker.view(compressedTriangle());
+    maker.rawAccessor(R"({"componentType":5126,"count":3,"type":"VEC3"})");
+    maker.rawAccessor(R"({"componentType":5121,"count":3,"type":"VEC4")" +
+                      std::string(says_so ? R"(,"normalized":true})" : "}"));
+    maker.rawAccessor(R"({"componentType":5123,"count":3,"type":"SCALAR"})");
+    const Result<Scene> scene = decodeGltf(
+        maker.glb(R"({"attributes":{"POSITION":0,"COLOR_0":1},"indices":2,"extensions":{"KHR_draco_mesh_compression":)"
+                  R"({"bufferView":0,"attributes":{"POSITION":0,"COLOR_0":1}}}})"),
+        "model.glb");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+    EXPECT_EQ(scene->warnings.size(), says_so ? 0u : 1u);
   }
 }
 

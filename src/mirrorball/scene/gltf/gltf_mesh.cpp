@@ -220,6 +220,7 @@ Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive
   MIRRORBALL_TRY(uv0, attribute("TEXCOORD_" + std::to_string(sets[0]), 2, 2));
   MIRRORBALL_TRY(uv1, attribute("TEXCOORD_" + std::to_string(sets[1]), 2, 2));
   MIRRORBALL_TRY(colors, attribute("COLOR_0", 3, 4));
+  result.colors = bringIntoRange(colors);
   MIRRORBALL_TRY(corners, attributes.corners(count));
 
   Mesh& mesh = result.mesh;

@@ -8,6 +8,7 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_deformation.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/gltf/gltf_vertex_color.h"
 #include "mirrorball/scene/mesh.h"
 #include "mirrorball/scene/mesh_repair.h"
 
@@ -22,6 +23,7 @@ struct PrimitiveMesh {
   std::shared_ptr<const MeshDeformation> deformation = {};  ///< none: nothing bends it
   MeshRepair repair = {};                                   ///< of what no picture can be made of
   std::size_t tangents_made = 0;                            ///< of vertices, whose tangents had no direction
+  ColorOddity colors = ColorOddity::none;                   ///< how those of vertices are read
   std::vector<Damage> damage = {};                          ///< what is left out besides
 };
 

@@ -336,6 +336,86 @@ TEST(GltfOddMesh, TangentsWithoutADirectionAreMadeForTheirVerticesAlone) {
   }
 }
 
+/// A triangle whose file has colours of vertices so.
+template <typename Number>
+Result<Scene> decodedColors(const std::vector<Number>& numbers, const std::string& type,
+                            const std::string& extra = "") {
+  GltfMaker maker = triangleFile();
+  maker.accessor(numbers, type, extra);
+  return decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"COLOR_0":1}})"));
+}
+
+const std::string kNotNormalized =
+    "accessors[1]: is of colours in integers that are not 'normalized', and is read as if they were";
+
+TEST(GltfOddMesh, ColoursInIntegersAreNormalizedWhetherOrNotTheySaySo) {
+  const std::vector<std::uint8_t> bytes = {255, 51, 0, 255, 0, 0, 0, 102, 0, 0, 0, 0};
+  const Result<Scene> of_bytes = decodedColors(bytes, "VEC4");
+  expectTold(of_bytes, kNotNormalized);
+  EXPECT_EQ(of_bytes->warnings.size(), 1u);
+  EXPECT_EQ(of_bytes->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+  EXPECT_EQ(of_bytes->meshes[0]->vertices[1].color, glm::vec4(0, 0, 0, 0.4f));
+  const Result<Scene> of_shorts = decodedColors(std::vector<std::uint16_t>{65535, 13107, 0, 0, 0, 0, 0, 0, 0}, "VEC3");
+  expectTold(of_shorts, kNotNormalized);
+  EXPECT_EQ(of_shorts->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+  const Result<Scene> sound = decodedColors(bytes, "VEC4", R"(,"normalized":true)");
+  expectSilent(sound);
+  EXPECT_EQ(sound->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+}
+
+TEST(GltfOddMesh, ColoursInWholeNumbersUpTo255AreInPartsOfIt) {
+  const std::string codes =
+      "meshes[0].primitives[0].attributes.COLOR_0: holds whole numbers up to 255 for 0 to 1, and is read in parts of "
+      "255";
+  const Result<Scene> both = decodedColors(std::vector<float>{255, 51, 0, 255, 0, 0, 0, 51, 0, 0, 0, 0}, "VEC4");
+  expectTold(both, codes);
+  EXPECT_EQ(both->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+  EXPECT_EQ(both->meshes[0]->vertices[1].color, glm::vec4(0, 0, 0, 0.2f));
+  const Result<Scene> share = decodedColors(std::vector<float>{255, 51, 0, 1, 0, 0, 0, 0.5f, kNan, 0, 0, 1}, "VEC4");
+  expectTold(share, codes);
+  EXPECT_EQ(share->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
+  EXPECT_EQ(share->meshes[0]->vertices[1].color, glm::vec4(0, 0, 0, 0.5f));
+  EXPECT_EQ(share->meshes[0]->vertices[2].color, glm::vec4(1.0f));
+}
+
+TEST(GltfOddMesh, ColoursBeyondTheirRangeAreCut) {
+  for (const float beyond : {1.5f, 300.0f, 1e30f}) {
+    const Result<Scene> scene = decodedColors(std::vector<float>{beyond, 0.5f, -1, 0, 0, 0, 0, 0, 0}, "VEC3");
+    expectTold(scene, "COLOR_0: holds numbers beyond 0 to 1, and is cut to them");
+    EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.5f, 0, 1)) << beyond;
+  }
+  const Result<Scene> rounded = decodedColors(std::vector<float>{1.0001f, 0.5f, -1e-6f, 0, 0, 0, 0, 0, 0}, "VEC3");
+  expectSilent(rounded);
+  EXPECT_EQ(rounded->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.5f, 0, 1));
+}
+
+TEST(GltfOddMaterial, ColoursOfThreeNumbersForFourAndOfFourForThreeAreRead) {
+  const auto decodedMaterial = [](const std::string& material) {
+    return decodedOdd(
+        triangleFile().gltf(R"({"attributes":{"POSITION":0},"material":0})", "\"materials\":[{" + material + "}]"));
+  };
+  const Result<Scene> scene =
+      decodedMaterial(R"("alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0]},)"
+                      R"("emissiveFactor":[0.25,0.5,1,1])");
+  expectTold(scene,
+             "has three numbers for four or four for three; its red, green and blue are read, and so is another");
+  EXPECT_EQ(scene->warnings.size(), 1u);
+  EXPECT_EQ(scene->materials.at(0).base_color, glm::vec3(0.5f, 0.25f, 0));
+  EXPECT_EQ(scene->materials[0].opacity, 1.0f);
+  EXPECT_EQ(scene->materials[0].emission, glm::vec3(0.25f, 0.5f, 1));
+  const Result<Scene> older =
+      decodedMaterial(R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.5,0.25,0],)"
+                      R"("specularFactor":[0.25,0.5,1,1]}})");
+  expectTold(older, "diffuseFactor: has three numbers for four or four for three");
+  EXPECT_EQ(older->materials.at(0).base_color, glm::vec3(0.5f, 0.25f, 0));
+  for (const char* numbers : {"[1,0]", "[]", "[1,0,0,1,1]", "0.5"}) {
+    const Result<Scene> none =
+        decodedMaterial(R"("pbrMetallicRoughness":{"baseColorFactor":)" + std::string(numbers) + "}");
+    expectTold(none, "baseColorFactor");
+    EXPECT_EQ(none->materials.at(0).base_color, glm::vec3(1.0f)) << numbers;
+  }
+}
+
 TEST(GltfOddMesh, CoordinatesThatAreNoNumbersAre0) {
   GltfMaker maker = triangleFile();
   maker.accessor(std::vector<float>{kNan, 1, 1, 1, 0, 0}, "VEC2");

@@ -155,9 +155,9 @@ TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
 
   GltfMaker three;
   three.accessor(kTriangle, "VEC3");
-  three.accessor(std::vector<float>{0.5f, 0.25f, 2, 0, 0, 0, 0, 0, 0}, "VEC3");
+  three.accessor(std::vector<float>{0.5f, 0.25f, 1, 0, 0, 0, 0, 0, 0}, "VEC3");
   EXPECT_EQ(decoded(three.gltf(primitive(",\"COLOR_0\":1"))).meshes.at(0)->vertices[0].color,
-            glm::vec4(0.5f, 0.25f, 2, 1));
+            glm::vec4(0.5f, 0.25f, 1, 1));
 }
 
 TEST(Gltf, ReadsQuantizedPositions) {

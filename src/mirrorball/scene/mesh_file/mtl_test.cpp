@@ -162,7 +162,40 @@ TEST_F(MtlFolderTest, TransparencyIsOneMinusOpacityUnlessItHidesAll) {
   EXPECT_EQ(material("Tr 0\nd -halo 0.5\n").opacity, 0.5f);
   const Scene hidden = load("newmtl a\nTr 1.000000\n");
   EXPECT_EQ(hidden.materials.at(0).opacity, 1.0f);
-  EXPECT_THAT(hidden.warnings, ElementsAre(HasSubstr("it is read as opaque")));
+  EXPECT_THAT(hidden.warnings, ElementsAre(HasSubstr("the material 'a' has a Tr of 1 and no d, by which nothing of it "
+                                                     "is seen: it is read as opaque")));
+}
+
+// A model of which nothing is seen is none that anybody has made.
+TEST_F(MtlFolderTest, MaterialsThatHideTheWholeModelAreOpaque) {
+  for (const char* hides : {"d 0\n", "d 0.0\nTr 1\n", "d -1\n", "d 0\nTr 0\n"}) {
+    const Scene hidden = load("newmtl a\n" + std::string(hides));
+    EXPECT_EQ(hidden.materials.at(0).opacity, 1.0f) << hides;
+    EXPECT_EQ(hidden.materials[0].alpha_mode, AlphaMode::opaque) << hides;
+    EXPECT_THAT(hidden.warnings,
+                ElementsAre(HasSubstr("all materials have a d of 0, by which nothing is seen: they are "
+                                      "read as opaque")));
+  }
+  EXPECT_EQ(material("d 0.001\n").opacity, 0.001f);
+}
+
+TEST_F(MtlFolderTest, MaterialsThatHideAPartHideIt) {
+  write("parts.mtl", "newmtl a\nd 0\nnewmtl b\nTr 1\nnewmtl c\nTr 1\n");
+  const auto loadWith = [&](const std::string& others) {
+    const std::string text = "mtllib parts.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n" + others + "usemtl a\nf 1 2 3\n";
+    Result<Scene> scene = decodeObj(testing::toBytes(text), path("model.obj"));
+    EXPECT_TRUE(scene) << scene.error().message;
+    return std::move(*scene);
+  };
+  // Beside a face that names no material, whose material is the first; and beside two that are opaque.
+  const Scene plain = loadWith("f 1 2 3\n");
+  EXPECT_EQ(plain.materials.at(1).opacity, 0.0f);
+  EXPECT_THAT(plain.warnings, IsEmpty());
+  const Scene opaque = loadWith("usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+  EXPECT_EQ(opaque.materials.at(0).opacity, 0.0f);
+  EXPECT_EQ(opaque.materials.at(2).opacity, 1.0f);
+  EXPECT_THAT(opaque.warnings, ElementsAre(HasSubstr("2 materials have a Tr of 1 and no d, by which nothing of them is "
+                                                     "seen: they are read as opaque")));
 }
 
 TEST_F(MtlFolderTest, PicturesOfRoughnessAndMetalAreData) {

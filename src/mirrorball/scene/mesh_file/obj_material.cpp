@@ -23,7 +23,9 @@ std::string quotedName(const MtlMaterial& material) { return "the material '" + 
 /// Turns materials one by one, and gathers what remarks say of all of them.
 class MaterialConverter {
  public:
-  MaterialConverter(NamedPictures& pictures, Scene& scene) : pictures_(pictures), scene_(scene) {}
+  /// hides_all   nothing of the model is seen by what its materials say by d
+  MaterialConverter(NamedPictures& pictures, Scene& scene, bool hides_all)
+      : pictures_(pictures), scene_(scene), hides_all_(hides_all) {}
 
   void add(const MtlMaterial& source) {
     Material& material = scene_.materials.emplace_back();
@@ -40,6 +42,14 @@ class MaterialConverter {
   }
 
   void tell() const {
+    if (hides_all_)
+      scene_.warnings.push_back("all materials have a d of 0, by which nothing is seen: they are read as opaque");
+    if (!hidden_.empty()) {
+      const bool is_one = hidden_.size() == 1;
+      scene_.warnings.push_back((is_one ? hidden_[0] + " has" : counted(hidden_.size(), "material") + " have") +
+                                " a Tr of 1 and no d, by which nothing of " + (is_one ? "it" : "them") +
+                                " is seen: " + (is_one ? "it is" : "they are") + " read as opaque");
+    }
     for (const auto& [statement, count] : left_out_)
       scene_.warnings.push_back("what " + counted(count, "material") + (count == 1 ? " says" : " say") + " by '" +
                                 statement + "' is left out");
@@ -102,11 +112,9 @@ class MaterialConverter {
 
   void setOpacity(const MtlMaterial& source, Material& material) {
     material.opacity = fraction(source.dissolve.value_or(1.0f - source.transparency.value_or(0.0f)));
-    if (!source.dissolve && source.transparency && material.opacity == 0.0f) {
-      scene_.warnings.push_back(quotedName(source) +
-                                " has a Tr of 1 and no d, by which nothing of it is seen: it is read as opaque");
-      material.opacity = 1.0f;
-    }
+    const bool is_hidden_by_tr = !source.dissolve && material.opacity == 0.0f;
+    if (is_hidden_by_tr) hidden_.push_back(quotedName(source));
+    if (is_hidden_by_tr || hides_all_) material.opacity = 1.0f;
     if (material.opacity < 1.0f) material.alpha_mode = AlphaMode::blend;
   }
 
@@ -127,15 +135,21 @@ class MaterialConverter {
 
   NamedPictures& pictures_;
   Scene& scene_;
+  bool hides_all_;
+  std::vector<std::string> hidden_;                // names of materials, by Tr
   std::map<std::string, std::size_t> left_out_;    // of how many materials which statement is
   std::vector<std::size_t> with_opacity_picture_;  // materials
 };
+
+bool isHidden(const MtlMaterial& material) { return material.dissolve && *material.dissolve <= 0.0f; }
 
 }  // namespace
 
 void addObjMaterials(std::span<const MtlMaterial> materials, NamedFiles& named, Scene& scene) {
   NamedPictures pictures(named, scene);
-  MaterialConverter converter(pictures, scene);
+  const bool are_hidden = !materials.empty() && std::all_of(materials.begin(), materials.end(), isHidden);
+  // What has no material is a part of the scene already.
+  MaterialConverter converter(pictures, scene, are_hidden && scene.materials.empty());
   for (const MtlMaterial& material : materials) converter.add(material);
   pictures.decode();
   converter.chooseAlphaModes();

@@ -52,12 +52,25 @@ TEST_F(FaceFilesTest, NamesOfEnginesAreKnown) {
             "cube_pos_x.png cube_neg_x.png cube_pos_y.png cube_neg_y.png cube_pos_z.png cube_neg_z.png");
   EXPECT_EQ(facesBeside("sky_xneg.jpg"),
             "sky_xpos.jpg sky_xneg.jpg sky_ypos.jpg sky_yneg.jpg sky_zpos.jpg sky_zneg.jpg");
+  EXPECT_EQ(facesBeside("skybox_y_neg.png"),
+            "skybox_x_pos.png skybox_x_neg.png skybox_y_pos.png skybox_y_neg.png skybox_z_pos.png skybox_z_neg.png");
+  EXPECT_EQ(facesBeside("sky_negative_z.png"),
+            "sky_positive_x.png sky_negative_x.png sky_positive_y.png sky_negative_y.png sky_positive_z.png "
+            "sky_negative_z.png");
+  EXPECT_EQ(facesBeside("positive-x.jpg"),
+            "positive-x.jpg negative-x.jpg positive-y.jpg negative-y.jpg positive-z.jpg negative-z.jpg");
+  EXPECT_EQ(facesBeside("PositiveY.png"),
+            "PositiveX.png NegativeX.png PositiveY.png NegativeY.png PositiveZ.png NegativeZ.png");
+  EXPECT_EQ(facesBeside("X+.png"), "X+.png X-.png Y+.png Y-.png Z+.png Z-.png");
+  touch({"sky-x+.png", "sky-x-.png", "sky-y+.png", "sky-y-.png", "sky-z+.png", "sky-z-.png"});
+  EXPECT_EQ(facesBeside("sky-y-.png"), "sky-x+.png sky-x-.png sky-y+.png sky-y-.png sky-z+.png sky-z-.png");
   EXPECT_EQ(facesBeside("env_ft.tga"), "env_rt.tga env_lf.tga env_up.tga env_dn.tga env_ft.tga env_bk.tga");
   EXPECT_EQ(facesBeside("sky.fr.png"), "sky.rt.png sky.lf.png sky.up.png sky.dn.png sky.fr.png sky.bk.png");
   EXPECT_EQ(facesBeside("cube_m00_c05.jpg"),
             "cube_m00_c00.jpg cube_m00_c01.jpg cube_m00_c02.jpg cube_m00_c03.jpg cube_m00_c04.jpg cube_m00_c05.jpg");
   EXPECT_EQ(facesBeside("a_face0.png"), "a_face0.png a_face1.png a_face2.png a_face3.png a_face4.png a_face5.png");
   EXPECT_EQ(usualReading(faceFilesBeside("a_px.png")->naming), "faces");
+  EXPECT_EQ(usualReading(faceFilesBeside("a_positive_x.png")->naming), "faces");
   EXPECT_EQ(usualReading(faceFilesBeside("a_ft.png")->naming), "faces:for=quake");
   EXPECT_EQ(usualReading(faceFilesBeside("a_fr.png")->naming), "faces:for=ogre");
   EXPECT_EQ(usualReading(faceFilesBeside("a_forward.png")->naming), "faces:for=krpano");

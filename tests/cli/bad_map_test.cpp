@@ -105,6 +105,15 @@ TEST_F(BadMapTest, AFileOfAnotherKind) {
   }
 }
 
+TEST_F(BadMapTest, WhatStandsInAFilesPlaceIsNamed) {
+  write("room.hdr", std::string("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"));
+  everyCommandRefuses("room.hdr", "room.hdr: is a Git LFS pointer, which is not read; run `git lfs pull`");
+  write("room.exr", std::string("<!DOCTYPE html>\n<html>404</html>\n"));
+  EXPECT_THAT(refuse(1, "info room.exr"), HasSubstr("room.exr: is a web page"));
+  write("room.jpg", std::string("Kaydara FBX Binary  "));
+  EXPECT_THAT(refuse(1, "info room.jpg"), HasSubstr("room.jpg: is an FBX, a model and no picture"));
+}
+
 TEST_F(BadMapTest, ATruncatedFile) {
   for (const std::string& extension : kExtensions) {
     const std::string name = "whole." + extension;

@@ -7,6 +7,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/foreign_file.h"
 #include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
@@ -22,6 +23,8 @@ constexpr std::initializer_list<Holds> kPicturesAndLight{Holds::light, Holds::pi
 /// The error for bytes that no codec takes.
 tl::unexpected<Error> unknownFormat(Span bytes, std::string_view known) {
   if (bytes.empty()) return fail(ErrorCode::bad_file, "is empty");
+  if (std::optional<Error> foreign = foreignFileError(FileUse::picture, bytes))
+    return tl::unexpected<Error>(std::move(*foreign));
   constexpr char kDigits[] = "0123456789abcdef";
   std::string begins;
   for (const std::uint8_t byte : bytes.first(std::min<std::size_t>(bytes.size(), 4))) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
-#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/foreign_file.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/scene/animation/pose.h"
@@ -104,47 +104,9 @@ constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", decodeG
                                                {"ply", "a PLY", "ply", decodePly},
                                                {"stl", "an STL", "", withoutOptions<decodeStl>}}};
 
-/// A kind of file that other programs keep models in.
-struct ForeignFormat {
-  std::string_view extensions;  ///< "usd usda"
-  std::string_view name;        ///< with its article
-  std::string_view magic;       ///< the first bytes; empty where they do not tell
-  std::string_view program;     ///< that makes glTF of it
-};
-
-constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
-    {"blend", "a Blender file", "BLENDER", "Blender"},
-    {"fbx", "an FBX", "Kaydara FBX Binary", "Blender"},
-    {"usd usdc", "a USD", "PXR-USDC", "Blender"},
-    {"usda", "a USD", "#usda", "Blender"},
-    {"usdz", "a USD", "", "Blender"},
-    {"dae", "a COLLADA", "", "Blender"},
-    {"abc", "an Alembic", "Ogawa", "Blender"},
-    {"3ds", "a 3DS", "", "Blender"},
-    {"wrl x3d", "a VRML or X3D", "#VRML", "Blender"},
-    {"step stp", "a STEP", "ISO-10303-21", "FreeCAD"},
-    {"iges igs", "an IGES", "", "FreeCAD"},
-    {"3dm", "a Rhino model", "3D Geometry File Format", "Rhino"},
-    {"skp", "a SketchUp model", "", "SketchUp"},
-    {"max", "a 3ds Max scene", "", "3ds Max"},
-    {"ma", "a Maya scene", "//Maya ASCII", "Maya"},
-    {"mb", "a Maya scene", "", "Maya"},
-    {"c4d", "a Cinema 4D scene", "", "Cinema 4D"},
-});
-
-/// What a file is that another program makes glTF of; nullptr where it is none of these.
-const ForeignFormat* foreignFormatOf(const std::filesystem::path& path, std::span<const std::uint8_t> begin) {
-  const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
-  const std::string extension = extensionOf(path);
-  for (const ForeignFormat& format : kForeignFormats)
-    if ((!format.magic.empty() && text.starts_with(format.magic)) || contains(split(format.extensions, ' '), extension))
-      return &format;
-  return nullptr;
-}
-
 /// The first bytes of a file: as many as tell what it is.
 std::vector<std::uint8_t> firstBytes(const std::string& path) {
-  std::vector<std::uint8_t> bytes(64);
+  std::vector<std::uint8_t> bytes(kForeignFileBytes);
   const auto file = FileReader::open(path);
   const auto count = file ? file->readAt(0, bytes) : Result<std::size_t>(0);
   bytes.resize(count ? *count : 0);
@@ -247,6 +209,11 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
   std::error_code status;
   if (std::filesystem::is_directory(name_or_path, status)) return folderForModel(name_or_path);
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
+  const bool is_picture = isImage(begin) || isImageSet(begin);
+  if (!begin.empty() && !is_picture && !formatBegunBy(begin))
+    // Also what bears a model's name, such as a server's page: it is no damaged model.
+    if (std::optional<Error> foreign = foreignFileError(FileUse::model, begin, extensionOf(name_or_path)))
+      return tl::unexpected<Error>(withName(name_or_path, std::move(*foreign)));
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
     if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
@@ -271,17 +238,12 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
           "meant, turn its normals outwards in the program that it comes from");
     return scene;
   }
-  if (isImage(begin) || isImageSet(begin))
+  if (is_picture)
     return fail(
         ErrorCode::unsupported,
         name_or_path + ": is a picture, no model; for the light in it try `mirrorball render -e " + name_or_path + "`");
-  if (std::filesystem::exists(name_or_path, status)) {
-    if (const ForeignFormat* foreign = foreignFormatOf(name_or_path, begin))
-      return fail(ErrorCode::unsupported, name_or_path + ": is " + std::string(foreign->name) +
-                                              ", which is not read; open it in " + std::string(foreign->program) +
-                                              " and export it as glTF 2.0 (.glb)");
+  if (std::filesystem::exists(name_or_path, status))
     return fail(ErrorCode::unsupported, name_or_path + ": is no model that can be read (" + modelExtensions() + ")");
-  }
   std::string message = unknownName("model", name_or_path, builtinModelNames()).message;
   return fail(ErrorCode::not_found, message + ", nor is there such a file (" + modelExtensions() + ")");
 }

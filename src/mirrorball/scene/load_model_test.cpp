@@ -30,7 +30,29 @@ TEST(LoadModel, OthersFilesAreNamedWithTheProgramThatMakesGltfOfThem) {
   EXPECT_THAT(messageOf("unnamed", "PXR-USDC"), ::testing::HasSubstr("is a USD"));
   EXPECT_THAT(messageOf("a.blend", "BLENDER-v402"), ::testing::HasSubstr("is a Blender file"));
   EXPECT_THAT(messageOf("a.stp", "ISO-10303-21;"), ::testing::HasSubstr("open it in FreeCAD"));
+  EXPECT_THAT(messageOf("a.dae", "?"), ::testing::HasSubstr("is a COLLADA, which is not read"));
+  EXPECT_THAT(messageOf("a.usdz", "PK\x03\x04"), ::testing::HasSubstr("is a USD"));
   EXPECT_THAT(messageOf("a.txt", "hello"), ::testing::HasSubstr("model that can be read"));
+}
+
+// What came in a model's place has its name, and is no damaged glTF.
+TEST(LoadModel, WhatStandsInAModelsPlaceIsNamed) {
+  for (const char* name : {"a.gltf", "a.glb", "a.obj", "a.stl", "a.ply"}) {
+    const std::string path = ::testing::TempDir() + "load_model_place_" + name;
+    const auto messageOf = [&](std::string_view begin) {
+      EXPECT_TRUE(writeFile(path, Bytes(begin.begin(), begin.end())));
+      return loadModel(path).error().message;
+    };
+    EXPECT_EQ(messageOf("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
+              path +
+                  ": is a Git LFS pointer, which is not read; run `git lfs pull`, which fetches the file that it "
+                  "stands for");
+    EXPECT_THAT(messageOf("\n<!DOCTYPE html>\n<html>"), ::testing::HasSubstr("is a web page, which is not read"));
+    EXPECT_THAT(messageOf("PK\x03\x04"), ::testing::HasSubstr("is a zip archive, which is not read; unpack it"));
+    EXPECT_THAT(messageOf("\x1f\x8b\x08"), ::testing::HasSubstr("is a gzip archive"));
+    EXPECT_THAT(messageOf("b3dm"), ::testing::HasSubstr("is a tile of 3D Tiles"));
+    EXPECT_THAT(messageOf("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));
+  }
 }
 
 using ::testing::HasSubstr;

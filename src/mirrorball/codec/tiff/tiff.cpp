@@ -13,6 +13,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/picture_window.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 #include "mirrorball/codec/tiff/tiff_layout.h"
 #include "mirrorball/codec/within_memory.h"
@@ -231,21 +232,62 @@ std::vector<std::string> floatOddities(const TiffLayout& layout) {
   return oddities;
 }
 
+/// Where the page is to be put. One that is to be turned has no place in a larger picture that its writer can have
+/// meant: of the programs that write places none turns.
+std::optional<PictureWindow> placeIn(const TiffLayout& layout) {
+  return uprightRemark(layout.orientation, kTiffOrientation).empty() ? layout.window.part : std::nullopt;
+}
+
+/// Puts codes or light into their place in the larger picture.
+///
+/// errors   too_large
+template <typename Sample>
+Result<ImageOf<Sample>> inItsPlace(ImageOf<Sample> page, const TiffLayout& layout) {
+  const auto place = placeIn(layout);
+  if (!place) return page;
+  MIRRORBALL_TRY_VOID(checkImageMemory(place->whole.x, place->whole.y, page.channels()));
+  return placedInWindow(page, *place);
+}
+
+Result<CodedPicture> inItsPlace(CodedPicture page, const TiffLayout& layout) {
+  return std::visit(
+      [&](auto& codes) -> Result<CodedPicture> {
+        MIRRORBALL_TRY(placed, inItsPlace(std::move(codes), layout));
+        return CodedPicture(std::move(placed));
+      },
+      page);
+}
+
+void tellPlace(const TiffLayout& layout, std::vector<std::string>& oddities) {
+  if (layout.window.part && !placeIn(layout))
+    oddities.emplace_back("is a part of a larger picture, and not stored upright: read without the rest");
+  else if (!layout.window.oddity.empty())
+    oddities.push_back(layout.window.oddity);
+}
+
+DecodedImage withPlace(DecodedImage image, const TiffLayout& layout) {
+  image.window = placeIn(layout);
+  tellPlace(layout, image.oddities);
+  return image;
+}
+
 }  // namespace
 
 Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (!layout.is_float) {
-    MIRRORBALL_TRY(codes, readPicture(file, layout, options.progress));
-    return asImage(makeCodedFile(std::move(codes), layout, bytes));
+    MIRRORBALL_TRY(page, readPicture(file, layout, options.progress));
+    MIRRORBALL_TRY(codes, inItsPlace(std::move(page), layout));
+    return withPlace(asImage(makeCodedFile(std::move(codes), layout, bytes)), layout);
   }
-  MIRRORBALL_TRY(stored, readLight(file, layout, options.progress));
+  MIRRORBALL_TRY(page, readLight(file, layout, options.progress));
+  MIRRORBALL_TRY(stored, inItsPlace(std::move(page), layout));
   Image light = upright(std::move(stored), layout.orientation);
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
   DecodedImage image{std::move(light), {}, formatText(layout), colorText(layout)};
   image.oddities = floatOddities(layout);
-  return image;
+  return withPlace(std::move(image), layout);
 }
 
 Result<CodedFile> decodeTiffCodes(Span bytes, CodeForm) {
@@ -253,8 +295,11 @@ Result<CodedFile> decodeTiffCodes(Span bytes, CodeForm) {
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (layout.is_float)
     return fail(ErrorCode::unsupported, "holds floats, and a texture has integers; save it with 8 or 16 bits");
-  MIRRORBALL_TRY(codes, readPicture(file, layout, {}));
-  return makeCodedFile(std::move(codes), layout, bytes);
+  MIRRORBALL_TRY(page, readPicture(file, layout, {}));
+  MIRRORBALL_TRY(codes, inItsPlace(std::move(page), layout));
+  CodedFile coded = makeCodedFile(std::move(codes), layout, bytes);
+  tellPlace(layout, coded.oddities);
+  return coded;
 }
 
 bool isTiffOfIntegers(Span bytes) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/icc_profile.h"
@@ -222,6 +223,8 @@ Result<TiffLayout> readTiffLayout(const TiffFile& file) {
   MIRRORBALL_TRY_VOID(readSamples(tiff, layout));
   MIRRORBALL_TRY_VOID(readChannels(file, layout));
   layout.orientation = field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, 1);
+  MIRRORBALL_TRY(window, readTiffWindow(file, {layout.width, layout.height}));
+  layout.window = std::move(window);
   readColor(tiff, layout);
   MIRRORBALL_TRY_VOID(readStriles(file, layout));
   MIRRORBALL_TRY_VOID(checkSizes(file, layout));

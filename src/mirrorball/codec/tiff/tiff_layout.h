@@ -11,6 +11,7 @@
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
+#include "mirrorball/codec/tiff/tiff_window.h"
 
 namespace mirrorball {
 
@@ -28,6 +29,7 @@ struct TiffLayout {
   bool is_by_planes = false;
   bool is_white_zero = false;
   int orientation = 1;  ///< image/upright.h
+  TiffWindow window;
   std::string compression;
   bool is_jpeg = false;
   std::optional<Primaries> primaries;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <tiffio.h>
 
@@ -34,6 +36,9 @@ struct TiffForm {
   std::uint32_t subfile = 0;                ///< FILETYPE_…
   bool is_dng = false;
   std::string xmp = {};
+  std::optional<glm::uvec2> whole = {};  ///< Pixar's size of the full image
+  glm::vec2 position{0.0f};              ///< in inches, if `whole` is there
+  float resolution = 150.0f;             ///< texels an inch, likewise; 0: is not said
 };
 
 /// A file in memory that libtiff writes to.
@@ -94,6 +99,16 @@ inline void setTiffFields(TIFF* tiff, const TiffForm& form) {
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(form.profile.size()), form.profile.data());
   if (!form.xmp.empty())
     TIFFSetField(tiff, TIFFTAG_XMLPACKET, static_cast<std::uint32_t>(form.xmp.size()), form.xmp.data());
+  if (form.whole) {
+    TIFFSetField(tiff, TIFFTAG_PIXAR_IMAGEFULLWIDTH, form.whole->x);
+    TIFFSetField(tiff, TIFFTAG_PIXAR_IMAGEFULLLENGTH, form.whole->y);
+    TIFFSetField(tiff, TIFFTAG_XPOSITION, double(form.position.x));
+    TIFFSetField(tiff, TIFFTAG_YPOSITION, double(form.position.y));
+    if (form.resolution != 0.0f) {
+      TIFFSetField(tiff, TIFFTAG_XRESOLUTION, double(form.resolution));
+      TIFFSetField(tiff, TIFFTAG_YRESOLUTION, double(form.resolution));
+    }
+  }
   constexpr std::uint8_t kVersion[]{1, 4, 0, 0};
   if (form.is_dng) TIFFSetField(tiff, TIFFTAG_DNGVERSION, kVersion);
   if (!form.primaries.empty()) {

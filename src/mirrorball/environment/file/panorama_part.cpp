@@ -9,6 +9,7 @@
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/picture_window.h"
 #include "mirrorball/environment/environment_map.h"
 #include "mirrorball/environment/fill.h"
 #include "mirrorball/image/filter.h"
@@ -76,12 +77,6 @@ std::optional<glm::ivec2> cornerOnTexels(glm::ivec2 picture, const PanoramaPart&
   if (!isWholeNumber(begin.x) || !isWholeNumber(begin.y)) return std::nullopt;
   if (std::abs(extent.x - picture.x) > 1e-3 || std::abs(extent.y - picture.y) > 1e-3) return std::nullopt;
   return glm::ivec2(glm::round(begin));
-}
-
-/// Copies a picture into a panorama as it is.
-void copyInto(const Image& picture, glm::ivec2 corner, Image& panorama) {
-  for (int y = 0; y < picture.height(); ++y)
-    std::copy(picture.row(y).begin(), picture.row(y).end(), panorama.texel(corner.x, corner.y + y));
 }
 
 /// Interpolates a picture's light at the centres of those of a panorama's texels that lie in its part.
@@ -178,16 +173,15 @@ Result<Image> placedInPanorama(Image picture, const PanoramaPart& part, PictureW
   const auto corner = cornerOnTexels(size, part, *height);
   const int channels = corner ? picture.channels() : 3;
   MIRRORBALL_TRY_VOID(checkImageMemory(window.whole.x, window.whole.y, channels));
-  Image panorama(window.whole.x, window.whole.y, channels);
   if (corner) {
     window.corner = *corner;
     window.size = size;
-    copyInto(picture, *corner, panorama);
-  } else {
-    window.corner = glm::ivec2(glm::round(part.begin * glm::dvec2(window.whole)));
-    window.size = glm::ivec2(glm::round(part.end * glm::dvec2(window.whole))) - window.corner;
-    resampleInto(picture, part, panorama);
+    return placedInWindow(picture, window);
   }
+  window.corner = glm::ivec2(glm::round(part.begin * glm::dvec2(window.whole)));
+  window.size = glm::ivec2(glm::round(part.end * glm::dvec2(window.whole))) - window.corner;
+  Image panorama(window.whole.x, window.whole.y, channels);
+  resampleInto(picture, part, panorama);
   return panorama;
 }
 

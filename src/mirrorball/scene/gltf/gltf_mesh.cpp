@@ -175,6 +175,16 @@ class Attributes {
     return Numbers{};
   }
 
+  /// Reads two texture coordinates, of which some programs write three (assimp issue 2615).
+  Result<Numbers> readTexCoords(int set, std::size_t vertices) {
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    MIRRORBALL_TRY(numbers, readIfSound(name, 2, 3, vertices));
+    if (numbers.components == 3)
+      damage_.push_back(
+          {{ErrorCode::bad_file, key_ + ".attributes." + name + " has 3 components"}, "third coordinate"});
+    return numbers;
+  }
+
  private:
   const File& file_;
   const Primitive& primitive_;
@@ -217,8 +227,8 @@ Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive
   const TexCoordSets& sets = file.document.tex_coord_sets;
   MIRRORBALL_TRY(normals, attribute("NORMAL", 3, 3));
   MIRRORBALL_TRY(tangents, attribute("TANGENT", 4, 4));
-  MIRRORBALL_TRY(uv0, attribute("TEXCOORD_" + std::to_string(sets[0]), 2, 2));
-  MIRRORBALL_TRY(uv1, attribute("TEXCOORD_" + std::to_string(sets[1]), 2, 2));
+  MIRRORBALL_TRY(uv0, attributes.readTexCoords(sets[0], count));
+  MIRRORBALL_TRY(uv1, attributes.readTexCoords(sets[1], count));
   MIRRORBALL_TRY(colors, attribute("COLOR_0", 3, 4));
   result.colors = bringIntoRange(colors);
   MIRRORBALL_TRY(corners, attributes.corners(count));

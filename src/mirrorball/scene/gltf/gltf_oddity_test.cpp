@@ -336,6 +336,15 @@ TEST(GltfOddMesh, TangentsWithoutADirectionAreMadeForTheirVerticesAlone) {
   }
 }
 
+TEST(GltfOddMesh, OfThreeTextureCoordinatesTheThirdIsLeftOut) {
+  GltfMaker maker = triangleFile();
+  maker.accessor(std::vector<float>{0.25f, 0.5f, 9, 1, 0, 9, 0, 1, 9}, "VEC3");
+  const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"TEXCOORD_0":1}})"));
+  expectTold(scene, "meshes[0].primitives[0].attributes.TEXCOORD_0 has 3 components; the third coordinate is left out");
+  EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).uv[0], glm::vec2(0.25f, 0.5f));
+  EXPECT_EQ(scene->meshes[0]->vertices[1].uv[0], glm::vec2(1, 0));
+}
+
 /// A triangle whose file has colours of vertices so.
 template <typename Number>
 Result<Scene> decodedColors(const std::vector<Number>& numbers, const std::string& type,

@@ -103,6 +103,8 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
      "open it in Cinema 4D and export it as glTF 2.0 (.glb)"},
     {"b3dm", "a tile of 3D Tiles", Mark::at_begin, "b3dm", FileUse::model,
      "take the .glb out of it by `npx 3d-tiles-tools b3dmToGlb`"},
+    {"i3dm", "a tile of 3D Tiles", Mark::at_begin, "i3dm", FileUse::model,
+     "take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"},
 });
 
 /// The beginning in small letters where it begins as a text of markup does; else nothing.

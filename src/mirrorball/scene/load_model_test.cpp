@@ -50,7 +50,8 @@ TEST(LoadModel, WhatStandsInAModelsPlaceIsNamed) {
     EXPECT_THAT(messageOf("\n<!DOCTYPE html>\n<html>"), ::testing::HasSubstr("is a web page, which is not read"));
     EXPECT_THAT(messageOf("PK\x03\x04"), ::testing::HasSubstr("is a zip archive, which is not read; unpack it"));
     EXPECT_THAT(messageOf("\x1f\x8b\x08"), ::testing::HasSubstr("is a gzip archive"));
-    EXPECT_THAT(messageOf("b3dm"), ::testing::HasSubstr("is a tile of 3D Tiles"));
+    EXPECT_THAT(messageOf("b3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools b3dmToGlb`"));
+    EXPECT_THAT(messageOf("i3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"));
     EXPECT_THAT(messageOf("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));
   }
 }

@@ -84,9 +84,9 @@ void readIndex(const JsonReader& json, Material& material) {
   if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) == 0.0) setInfiniteIndex(material);
 }
 
-/// KHR_materials_pbrSpecularGlossiness of a material that has it, as KHR_materials_specular says that it is converted: a dielectric of infinite
-/// index, whose specular colour is the model's, and whose base is weighed by what that leaves. Nothing is lost, nor do
-/// the two textures need to be alike, as where the share of metal is solved for.
+/// KHR_materials_pbrSpecularGlossiness of a material that has it, as KHR_materials_specular says that it is converted:
+/// a dielectric of infinite index, whose specular colour is the model's, and whose base is weighed by what that leaves.
+/// Nothing is lost, nor do the two textures need to be alike, as where the share of metal is solved for.
 void readSpecularGlossiness(const JsonReader& material_json, FileMaterial& read) {
   const JsonReader json = material_json["extensions"]["KHR_materials_pbrSpecularGlossiness"];
   if (!json.exists()) return;

@@ -168,8 +168,8 @@ TEST(Gltf, ReadsQuantizedPositions) {
   EXPECT_EQ(scene.meshes[0]->vertices[2].position, glm::vec3(0, -1, 0));
 }
 
-// Positions and texture coordinates as whole numbers, which the node and the texture's transform scale back. Before there
-// was an extension for them, gltfpack wrote them without one (meshoptimizer issue 58).
+// Positions and texture coordinates as whole numbers, which the node and the texture's transform scale back. Before
+// there was an extension for them, gltfpack wrote them without one (meshoptimizer issue 58).
 TEST(Gltf, ReadsEveryQuantizedAttribute) {
   GltfMaker maker;
   maker.accessor(std::vector<std::uint16_t>{0, 0, 0, 1000, 0, 0, 0, 500, 0}, "VEC3");

@@ -33,7 +33,7 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
   const FrameSettings model = turned(settingsOf(0.0f), Turn::model, 90.0f);
   EXPECT_EQ(model.camera.azimuth_deg, -90.0f);
   EXPECT_FLOAT_EQ(model.env_rotation_deg.x, -60.0f);
-  EXPECT_LT(glm::distance(model.lights[0].position, glm::vec3(8, 5, 0)), 1e-5f);
+  EXPECT_LT(glm::distance(model.lights[0].position, glm::dvec3(8, 5, 0)), 1e-5);
 }
 
 TEST(Turned, TheShadowOfAllButTheCamera) {

@@ -106,12 +106,12 @@ TEST_F(BadMapTest, AFileOfAnotherKind) {
 }
 
 TEST_F(BadMapTest, WhatStandsInAFilesPlaceIsNamed) {
-  write("room.hdr", std::string("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"));
-  everyCommandRefuses("room.hdr", "room.hdr: is a Git LFS pointer, which is not read; run `git lfs pull`");
-  write("room.exr", std::string("<!DOCTYPE html>\n<html>404</html>\n"));
-  EXPECT_THAT(refuse(1, "info room.exr"), HasSubstr("room.exr: is a web page"));
-  write("room.jpg", std::string("Kaydara FBX Binary  "));
-  EXPECT_THAT(refuse(1, "info room.jpg"), HasSubstr("room.jpg: is an FBX, a model and no picture"));
+  write("probe.hdr", std::string("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"));
+  everyCommandRefuses("probe.hdr", "probe.hdr: is a Git LFS pointer, which is not read; run `git lfs pull`");
+  write("probe.exr", std::string("<!DOCTYPE html>\n<html>404</html>\n"));
+  EXPECT_THAT(refuse(1, "info probe.exr"), HasSubstr("probe.exr: is a web page"));
+  write("probe.jpg", std::string("Kaydara FBX Binary  "));
+  EXPECT_THAT(refuse(1, "info probe.jpg"), HasSubstr("probe.jpg: is an FBX, a model and no picture"));
 }
 
 TEST_F(BadMapTest, ATruncatedFile) {
@@ -120,7 +120,8 @@ TEST_F(BadMapTest, ATruncatedFile) {
     succeed("convert uv --to equirect --size 16 -o " + name);
     const Bytes whole = bytes(name);
     for (const std::size_t length : {whole.size() / 2, whole.size() - 5, std::size_t{20}}) {
-      if (extension == "jpg" && length > 20) continue;  // read as far as it goes: OddPictureTest
+      if ((extension == "jpg" || extension == "png") && length > 20)
+        continue;  // read as far as it goes: OddPictureTest
       write("cut." + extension, Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(length)));
       everyCommandRefuses("cut." + extension);
     }

@@ -44,7 +44,7 @@ TEST_P(CodecFormat, WhatIsWrittenIsRead) {
 
 TEST_P(CodecFormat, TheFilesNameStandsInFrontOfAnErrorOnce) {
   ASSERT_TRUE(writeImage(path(), gradient(16, 9, 3)));
-  fs::resize_file(path(), fs::file_size(path()) / 2);
+  fs::resize_file(path(), 20);  // before any row: some formats are read as far as they go
   const auto truncated = readImage(path());
   ASSERT_FALSE(truncated);
   EXPECT_THAT(truncated.error().message, StartsWith(path().string() + ": "));
@@ -119,8 +119,7 @@ TEST(Codec, ATextureOfOneFaceIsAPicture) {
 
 TEST(Codec, WhatIsNoImageIsNamed) {
   EXPECT_THAT(decodeImage({}).error().message, HasSubstr("is empty"));
-  EXPECT_THAT(decodeImage(bytesOf("GIF89a")).error().message,
-              AllOf(HasSubstr("47 49 46 38"), HasSubstr("Radiance HDR")));
+  EXPECT_THAT(decodeImage(bytesOf("GIFT")).error().message, AllOf(HasSubstr("47 49 46 54"), HasSubstr("Radiance HDR")));
   EXPECT_EQ(decodeImage(bytesOf("#")).error().code, ErrorCode::bad_file);
   EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234")).error().message,
               AllOf(HasSubstr("is Radiance HDR"), HasSubstr("BMP or PNM for textures")));

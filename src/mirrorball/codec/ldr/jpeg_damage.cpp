@@ -5,6 +5,7 @@
 #include <jerror.h>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/ldr/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -107,13 +108,8 @@ std::size_t JpegDamage::missingRows() const {
 }
 
 void JpegDamage::blacken(Image8& picture) const {
-  for (int y = 0; y < picture.height(); ++y) {
-    if (is_missing_[std::size_t(y)] == 0) continue;
-    const auto row = picture.row(y);
-    std::fill(row.begin(), row.end(), std::uint8_t{0});
-    if (picture.channels() == 4)
-      for (std::size_t i = 3; i < row.size(); i += 4) row[i] = 255;
-  }
+  for (int y = 0; y < picture.height(); ++y)
+    if (is_missing_[std::size_t(y)] != 0) blackenRow(picture, y);
 }
 
 std::string JpegDamage::cause() const {
@@ -122,8 +118,7 @@ std::string JpegDamage::cause() const {
 
 std::string JpegDamage::remarkOnRows() const {
   const std::size_t count = missingRows();
-  const std::string those = count == 1 ? "the row that is missing is black"
-                                       : "the " + std::to_string(count) + " rows that are missing are black";
+  const std::string those = missingRowsText(count);
   const bool are_last = end() + count == is_missing_.size();
   if (are_last && lacks_data_ && (ends_early_ || message_[0] == '\0')) return "ends before its last row: " + those;
   const auto first = std::find(is_missing_.begin(), is_missing_.end(), std::uint8_t{1}) - is_missing_.begin();

@@ -13,6 +13,8 @@
 #include <zlib.h>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/ldr/missing_rows.h"
+#include "mirrorball/codec/ldr/png_chunks.h"
 #include "mirrorball/codec/ldr/png_color.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/within_memory.h"
@@ -27,6 +29,10 @@ constexpr std::size_t kMaxBytesPerByte = 1032;
 struct PngContext {
   std::span<const std::uint8_t> in;
   std::size_t at = 0;
+  // How far decoding has come: libpng's jump out of it leaves no other trace.
+  int passes = 1;  ///< 7 of an interlaced file
+  int pass = 0;
+  int row = 0;
   Bytes out;
   char message[160] = "unknown error";
 };
@@ -125,9 +131,11 @@ struct Pixels {
   int channels = 0;
   int bits = 0;         ///< of a sample as it is decoded
   int stored_bits = 0;  ///< of a sample in the file
+  int rows = 0;         ///< those that the file holds; the others have no values
   Metadata metadata;
   CodedColor color;
   Exif exif;
+  std::vector<std::string> oddities;
 };
 
 Metadata readTexts(png_structp png, png_infop info) {
@@ -150,25 +158,6 @@ tl::unexpected<Error> damaged(const PngReader& reader) {
                                        excerpt(reader.context.message));
 }
 
-/// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory,
-/// and clears it, before it finds that the bytes are not there.
-Result<void> checkChunks(std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t kSignature = 8;
-  constexpr std::size_t kFrame = 12;  // a chunk's length, its type, and its checksum behind the data
-  constexpr std::uint8_t kEnd[] = {'I', 'E', 'N', 'D'};
-  for (std::size_t at = kSignature; bytes.size() - at >= kFrame;) {
-    const std::size_t length = png_get_uint_32(bytes.data() + at);
-    if (length > bytes.size() - at - kFrame)
-      return fail(ErrorCode::bad_file, "the chunk at byte " + std::to_string(at) + " says it has " +
-                                           std::to_string(length) +
-                                           " bytes, more than the file; it is truncated or damaged");
-    if (std::equal(std::begin(kEnd), std::end(kEnd), bytes.data() + at + 4)) return {};
-    at += length + kFrame;
-  }
-  return fail(ErrorCode::bad_file,
-              "has no end chunk before its end at byte " + std::to_string(bytes.size()) + "; the file is truncated");
-}
-
 Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   const bool read = guardedFromPng(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
@@ -183,9 +172,41 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
   if (stored / kMaxBytesPerByte > reader.context.in.size()) return cannotHold(width, height, reader.context.in.size());
   pixels.width = static_cast<int>(width);
-  pixels.height = static_cast<int>(height);
+  pixels.height = pixels.rows = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
   pixels.color = readPngColor(reader.png, reader.info);
+  return {};
+}
+
+/// Decodes the rows into their places. In a file that ends early a texel of an interlaced picture fills its block until
+/// others come.
+bool readRows(PngReader& reader, std::vector<png_bytep>& rows, bool ends_early) {
+  PngContext& at = reader.context;
+  return guardedFromPng(reader.png, [&] {
+    for (at.pass = 0; at.pass < at.passes; ++at.pass)
+      for (at.row = 0; at.row < int(rows.size()); ++at.row) {
+        png_bytep row = rows[std::size_t(at.row)];
+        png_read_row(reader.png, ends_early ? nullptr : row, ends_early ? row : nullptr);
+      }
+    png_read_end(reader.png, reader.info);
+  });
+}
+
+/// Takes up what is there of a file that ends early.
+///
+/// errors   bad_file: not one row is, or what is there is damaged
+Result<void> takeRowsOfEarlyEnd(const PngReader& reader, bool decoded, Pixels& pixels) {
+  const PngContext& at = reader.context;
+  constexpr std::size_t kEndChunk = 12;  // which libpng has come to
+  if (!decoded && (at.at <= at.in.size() - kEndChunk || (at.pass == 0 && at.row == 0))) return damaged(reader);
+  if (decoded) {
+    pixels.oddities.emplace_back("lacks its end chunk; all of its rows are there");
+  } else if (at.pass > 0) {
+    pixels.oddities.emplace_back("ends before its last pass: it is coarser than it was meant to be");
+  } else {
+    pixels.rows = at.row;
+    pixels.oddities.push_back("ends before its last row: " + missingRowsText(std::size_t(pixels.height - at.row)));
+  }
   return {};
 }
 
@@ -193,15 +214,15 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
 ///          size that lies costs nothing: only rows that are decoded are touched
 Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, CodeForm form,
                           const std::function<std::uint8_t*(const Pixels&)>& memory) {
-  MIRRORBALL_TRY_VOID(checkChunks(bytes));
-  PngReader reader(bytes);
+  MIRRORBALL_TRY(completed, completedPng(bytes));
+  PngReader reader(completed ? std::span<const std::uint8_t>(*completed) : bytes);
   if (!reader.info) return fail(ErrorCode::too_large, "not enough memory to decode it");
   Pixels pixels;
   MIRRORBALL_TRY_VOID(readPngHeader(reader, pixels));
 
   const bool prepared = guardedFromPng(reader.png, [&] {
     setTransforms(reader.png, reader.info, form);
-    png_set_interlace_handling(reader.png);
+    reader.context.passes = png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
   });
   if (!prepared) return damaged(reader);
@@ -212,11 +233,11 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, CodeForm form,
   std::uint8_t* const first = memory(pixels);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
   for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = first + y * row_size;
-  const bool decoded = guardedFromPng(reader.png, [&] {
-    png_read_image(reader.png, rows.data());
-    png_read_end(reader.png, reader.info);
-  });
-  if (!decoded) return damaged(reader);
+  const bool decoded = readRows(reader, rows, completed.has_value());
+  if (completed)
+    MIRRORBALL_TRY_VOID(takeRowsOfEarlyEnd(reader, decoded, pixels));
+  else if (!decoded)
+    return damaged(reader);
   pixels.metadata = readTexts(reader.png, reader.info);
   pixels.exif = readExifChunk(reader.png, reader.info);
   return pixels;
@@ -253,12 +274,14 @@ Result<CodedFile> decodePng(std::span<const std::uint8_t> bytes, CodeForm form) 
                             : makePlace(codes.emplace<ImageOf<std::uint16_t>>(), pixels);
   };
   MIRRORBALL_TRY(pixels, readPixels(bytes, form, memory));
+  for (int y = pixels.rows; y < pixels.height; ++y) std::visit([y](auto& picture) { blackenRow(picture, y); }, codes);
   return CodedFile{.codes = std::move(codes),
                    .color = std::move(pixels.color),
                    .orientation = pixels.exif.orientation,
                    .exif = pixels.exif,
                    .metadata = std::move(pixels.metadata),
-                   .format = "PNG, " + std::to_string(pixels.stored_bits) + " bit"};
+                   .format = "PNG, " + std::to_string(pixels.stored_bits) + " bit",
+                   .oddities = std::move(pixels.oddities)};
 }
 
 Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputPrimaries primaries) {

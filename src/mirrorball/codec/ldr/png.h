@@ -12,7 +12,8 @@
 namespace mirrorball {
 
 /// Decodes a PNG of any colour type and depth, 16-bit samples with all their precision. Grey stays one channel unless
-/// it has alpha. What the file says of its colour is in png_color.h; how it lies, and more, in its chunk eXIf.
+/// it has alpha. What the file says of its colour is in png_color.h; how it lies, and more, in its chunk eXIf. A
+/// file that ends early is read as far as it goes, which is reported: rows that are missing are black and opaque.
 ///
 /// errors   bad_file; too_large
 /// from     PNG (third edition), 11.3.4.5 "eXIf"

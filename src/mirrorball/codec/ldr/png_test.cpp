@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <string_view>
 #include <tuple>
@@ -349,14 +350,105 @@ TEST(Png, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
 
 TEST(Png, DamageNamesTheByte) {
   const Bytes bytes = *encodePng(Image8(40, 40, 3), {});
-  const Bytes truncated(bytes.begin(), bytes.end() - 20);
-  EXPECT_EQ(decodePng(truncated).error().message.substr(0, 23),
-            "the chunk at byte 46 sa");  // the image data, behind IHDR and sRGB
-  const Bytes endless(bytes.begin(), bytes.end() - 12);
+  const Bytes truncated(bytes.begin(), bytes.begin() + 42);
+  EXPECT_EQ(decodePng(truncated).error().message.substr(0, 23), "the chunk at byte 33 sa");  // sRGB, behind IHDR
+  const Bytes endless(bytes.begin(), bytes.begin() + 46);
   EXPECT_THAT(decodePng(endless).error().message, HasSubstr("no end chunk"));
   Bytes changed = bytes;
   changed[60] ^= 1;
   EXPECT_THAT(decodePng(changed).error().message, ::testing::StartsWith("is a damaged PNG, at byte "));
+}
+
+/// The first bytes of a file.
+Bytes firstBytes(const Bytes& bytes, std::size_t count) {
+  return Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(count));
+}
+
+/// Rows of texels without any order, which deflate cannot shorten: bytes of the file are bytes of rows.
+Recipe noise(int width, int height, int channels, int depth = 8) {
+  const int color_type = channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+  Recipe recipe{.width = width, .height = height, .depth = depth, .color_type = color_type};
+  std::uint32_t state = 1;
+  for (int y = 0; y < height; ++y) {
+    recipe.rows.emplace_back(std::size_t(width * channels * depth / 8));
+    for (std::uint8_t& byte : recipe.rows.back()) byte = static_cast<std::uint8_t>((state = state * 1664525 + 1) >> 24);
+  }
+  return recipe;
+}
+
+TEST(PngEnd, AsFarAsItGoes) {
+  const Recipe recipe = noise(16, 20, 3);
+  const Bytes bytes = made(recipe);
+  const Image8 whole = texture(bytes);
+  int rows_before = 0;
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const auto cut = decodeCodes(firstBytes(bytes, length));
+    if (!cut) {
+      EXPECT_EQ(rows_before, 0) << length;
+      continue;
+    }
+    ASSERT_EQ(cut->oddities.size(), 1u) << length;
+    int rows = 20;
+    if (std::sscanf(cut->oddities[0].c_str(), "ends before its last row: the %d rows", &rows) == 1) rows = 20 - rows;
+    if (cut->oddities[0] == "ends before its last row: the row that is missing is black") rows = 19;
+    ASSERT_GE(rows, rows_before) << length;
+    rows_before = rows;
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 16; ++x) {
+        ASSERT_EQ(cut->codes.texel(x, y)[1], y < rows ? whole.texel(x, y)[1] : 0) << length;
+        ASSERT_EQ(cut->codes.texel(x, y)[3], 255);
+      }
+  }
+  EXPECT_EQ(rows_before, 20);
+  EXPECT_THAT(decodeImage(firstBytes(bytes, bytes.size() / 2))->oddities[0],
+              ::testing::MatchesRegex("ends before its last row: the 1[01] rows that are missing are black"));
+}
+
+TEST(PngEnd, WithoutItsEndChunkAllRowsAreThere) {
+  const Bytes bytes = made(noise(16, 20, 3));
+  const auto image = decodeImage(firstBytes(bytes, bytes.size() - 12));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->oddities, ElementsAre("lacks its end chunk; all of its rows are there"));
+  EXPECT_THAT(image->image.samples(), ::testing::ElementsAreArray(light(bytes).image.samples()));
+}
+
+TEST(PngEnd, RowsThatAreMissingAreOpaque) {
+  for (const int depth : {8, 16}) {
+    const Bytes bytes = made(noise(16, 20, 4, depth));
+    const auto image = decodeImage(firstBytes(bytes, bytes.size() / 2));
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_THAT(std::vector<float>(image->image.texel(7, 19), image->image.texel(7, 19) + 4),
+                ElementsAre(0.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(image->image.texel(7, 3)[3], light(bytes).image.texel(7, 3)[3]);
+  }
+}
+
+// The last of the seven passes has half of the texels, in every other row; the fifth ends with a quarter of them.
+TEST(PngEnd, AnInterlacedFileIsCoarser) {
+  Recipe recipe = noise(32, 32, 3);
+  recipe.interlaced = true;
+  const Bytes bytes = made(recipe);
+  const Image8 whole = texture(bytes);
+  const auto cut = decodeCodes(firstBytes(bytes, bytes.size() / 2));
+  ASSERT_TRUE(cut) << cut.error().message;
+  EXPECT_THAT(cut->oddities, ElementsAre("ends before its last pass: it is coarser than it was meant to be"));
+  for (int y = 0; y < 32; y += 2)
+    for (int x = 0; x < 32; x += 2) {
+      ASSERT_EQ(cut->codes.texel(x, y)[2], whole.texel(x, y)[2]) << x << ", " << y;
+      ASSERT_EQ(cut->codes.texel(x, y + 1)[2], whole.texel(x, y)[2])
+          << x << ", " << y;  // stands in for what is missing
+    }
+  const auto first_pass = decodeCodes(firstBytes(bytes, 80));
+  ASSERT_TRUE(first_pass) << first_pass.error().message;
+  EXPECT_THAT(first_pass->oddities[0], ::testing::EndsWith("rows that are missing are black"));
+  EXPECT_EQ(first_pass->codes.texel(7, 7)[1], whole.texel(0, 0)[1]);
+  EXPECT_EQ(first_pass->codes.texel(31, 31)[1], 0);
+}
+
+TEST(PngEnd, DamagedTexelsAreNoEnd) {
+  Bytes bytes = made(noise(16, 20, 3));
+  bytes[60] ^= 0x40;
+  EXPECT_FALSE(decodePng(firstBytes(bytes, bytes.size() - 12)));
 }
 
 using testing::Damage;
@@ -366,7 +458,8 @@ INSTANTIATE_TEST_SUITE_P(Png, Damage,
                              "Png",
                              [] {
                                return *encodePng(pictureFromLinear(gradient(13, 11, 3), 3), {{"envmap", "cube"}});
-                             }}),
+                             },
+                             /*is_read_in_part=*/true}),
                          testing::nameOfDamaged);
 
 using testing::CodecFormat;

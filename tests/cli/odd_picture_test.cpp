@@ -73,19 +73,19 @@ TEST_F(OddPictureTest, ATiffIsInItsPlaceOnItsCanvas) {
                       .kind = SAMPLEFORMAT_IEEEFP,
                       .whole = glm::uvec2(64, 32),
                       .position = {16.0f / 150.0f, 8.0f / 150.0f}};
-  write("room.tif", tiffFile(form, bytesOfNumbers(std::vector<float>(32 * 16 * 3, 0.5f))));
-  const Outcome outcome = run("convert room.tif --to equirect -o room.exr");
+  write("cropped.tif", tiffFile(form, bytesOfNumbers(std::vector<float>(32 * 16 * 3, 0.5f))));
+  const Outcome outcome = run("convert cropped.tif --to equirect -o whole.exr");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err,
-              HasSubstr("room.tif: holds 32x16 of the 64x32 texels of its full image: what lies outside is "
+              HasSubstr("cropped.tif: holds 32x16 of the 64x32 texels of its full image: what lies outside is "
                         "black, and lights nothing; --from equirect:fill=smooth"));
-  const Image room = image("room.exr");
-  ASSERT_EQ(room.width(), 64);
-  EXPECT_EQ(room.texel(16, 8)[1], 0.5f);
-  EXPECT_EQ(room.texel(47, 23)[1], 0.5f);
-  EXPECT_EQ(room.texel(15, 8)[1], 0.0f);
-  EXPECT_EQ(room.texel(47, 24)[1], 0.0f);
-  EXPECT_THAT(run("info room.tif").out, HasSubstr("64x32 (its full image)"));
+  const Image whole = image("whole.exr");
+  ASSERT_EQ(whole.width(), 64);
+  EXPECT_EQ(whole.texel(16, 8)[1], 0.5f);
+  EXPECT_EQ(whole.texel(47, 23)[1], 0.5f);
+  EXPECT_EQ(whole.texel(15, 8)[1], 0.0f);
+  EXPECT_EQ(whole.texel(47, 24)[1], 0.0f);
+  EXPECT_THAT(run("info cropped.tif").out, HasSubstr("64x32 (its full image)"));
 }
 
 TEST_F(OddPictureTest, APanoramaHeldUpsideDownIsUpright) {

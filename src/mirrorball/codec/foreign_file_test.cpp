@@ -6,13 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/image_file_testing.h"
 
 namespace mirrorball {
 namespace {
 
-using testing::bytesOf;
 using ::testing::HasSubstr;
 
 struct ForeignCase {
@@ -49,22 +48,26 @@ TEST(ForeignFile, InAPicturesPlaceIsNamedWithWhatHelps) {
   for (const ForeignCase& c : kForeignCases) {
     SCOPED_TRACE(c.message);
     for (const std::string& file : {c.begin, c.begin + std::string(std::size_t{2} * kForeignFileBytes, 'x')}) {
-      const auto image = decodeImage(bytesOf(file));
+      const Bytes bytes(file.begin(), file.end());
+      const auto image = decodeImage(bytes);
       ASSERT_FALSE(image);
       EXPECT_EQ(image.error().code, ErrorCode::unsupported);
       EXPECT_THAT(image.error().message, HasSubstr(c.message));
-      EXPECT_THAT(decodeTexture(bytesOf(file)).error().message, HasSubstr(c.message));
+      EXPECT_THAT(decodeTexture(bytes).error().message, HasSubstr(c.message));
     }
   }
 }
 
 TEST(ForeignFile, OfNoKnownKindIsNone) {
+  const auto isNamed = [](const std::string& text) {
+    return foreignFileError(FileUse::picture, Bytes(text.begin(), text.end())).has_value();
+  };
   for (const char* text : {"", "<", "hello <html>", "version 2", "\xef\xbb\xbf  ", "<x3d>", "ftyp"})
-    EXPECT_FALSE(foreignFileError(FileUse::picture, bytesOf(text))) << text;
+    EXPECT_FALSE(isNamed(text)) << text;
   EXPECT_FALSE(foreignFileError(FileUse::model, {}, "glb"));
   EXPECT_TRUE(foreignFileError(FileUse::model, {}, "usdz"));
   // Markup that stands too far behind is not looked for.
-  EXPECT_FALSE(foreignFileError(FileUse::picture, bytesOf("<" + std::string(kForeignFileBytes, ' ') + "<html>")));
+  EXPECT_FALSE(isNamed("<" + std::string(kForeignFileBytes, ' ') + "<html>"));
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
   const bool is_picture = isImage(begin) || isImageSet(begin);
   if (!begin.empty() && !is_picture && !formatBegunBy(begin))
-    // Also what bears a model's name, such as a server's page: it is no damaged model.
+    // Also what bears a model's name, such as a server's page: it is not called a damaged one.
     if (std::optional<Error> foreign = foreignFileError(FileUse::model, begin, extensionOf(name_or_path)))
       return tl::unexpected<Error>(withName(name_or_path, std::move(*foreign)));
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {

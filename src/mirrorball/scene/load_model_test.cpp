@@ -20,39 +20,39 @@ namespace {
 // Whoever has one of these finds the way to glTF.
 TEST(LoadModel, OthersFilesAreNamedWithTheProgramThatMakesGltfOfThem) {
   const std::string folder = ::testing::TempDir() + "load_model_";
-  const auto messageOf = [&](const std::string& name, const std::string& begin) {
+  const auto refusal = [&](const std::string& name, const std::string& begin) {
     EXPECT_TRUE(writeFile(folder + name, Bytes(begin.begin(), begin.end())));
     return loadModel(folder + name).error().message;
   };
   EXPECT_THAT(
-      messageOf("a.fbx", "Kaydara FBX Binary  "),
+      refusal("a.fbx", "Kaydara FBX Binary  "),
       ::testing::HasSubstr("is an FBX, which is not read; open it in Blender and export it as glTF 2.0 (.glb)"));
-  EXPECT_THAT(messageOf("unnamed", "PXR-USDC"), ::testing::HasSubstr("is a USD"));
-  EXPECT_THAT(messageOf("a.blend", "BLENDER-v402"), ::testing::HasSubstr("is a Blender file"));
-  EXPECT_THAT(messageOf("a.stp", "ISO-10303-21;"), ::testing::HasSubstr("open it in FreeCAD"));
-  EXPECT_THAT(messageOf("a.dae", "?"), ::testing::HasSubstr("is a COLLADA, which is not read"));
-  EXPECT_THAT(messageOf("a.usdz", "PK\x03\x04"), ::testing::HasSubstr("is a USD"));
-  EXPECT_THAT(messageOf("a.txt", "hello"), ::testing::HasSubstr("model that can be read"));
+  EXPECT_THAT(refusal("unnamed", "PXR-USDC"), ::testing::HasSubstr("is a USD"));
+  EXPECT_THAT(refusal("a.blend", "BLENDER-v402"), ::testing::HasSubstr("is a Blender file"));
+  EXPECT_THAT(refusal("a.stp", "ISO-10303-21;"), ::testing::HasSubstr("open it in FreeCAD"));
+  EXPECT_THAT(refusal("a.dae", "?"), ::testing::HasSubstr("is a COLLADA, which is not read"));
+  EXPECT_THAT(refusal("a.usdz", "PK\x03\x04"), ::testing::HasSubstr("is a USD"));
+  EXPECT_THAT(refusal("a.txt", "hello"), ::testing::HasSubstr("model that can be read"));
 }
 
-// What came in a model's place has its name, and is no damaged glTF.
+// What came in a model's place has its name, and is not called damaged glTF.
 TEST(LoadModel, WhatStandsInAModelsPlaceIsNamed) {
   for (const char* name : {"a.gltf", "a.glb", "a.obj", "a.stl", "a.ply"}) {
     const std::string path = ::testing::TempDir() + "load_model_place_" + name;
-    const auto messageOf = [&](std::string_view begin) {
+    const auto refusal = [&](std::string_view begin) {
       EXPECT_TRUE(writeFile(path, Bytes(begin.begin(), begin.end())));
       return loadModel(path).error().message;
     };
-    EXPECT_EQ(messageOf("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
+    EXPECT_EQ(refusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
               path +
                   ": is a Git LFS pointer, which is not read; run `git lfs pull`, which fetches the file that it "
                   "stands for");
-    EXPECT_THAT(messageOf("\n<!DOCTYPE html>\n<html>"), ::testing::HasSubstr("is a web page, which is not read"));
-    EXPECT_THAT(messageOf("PK\x03\x04"), ::testing::HasSubstr("is a zip archive, which is not read; unpack it"));
-    EXPECT_THAT(messageOf("\x1f\x8b\x08"), ::testing::HasSubstr("is a gzip archive"));
-    EXPECT_THAT(messageOf("b3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools b3dmToGlb`"));
-    EXPECT_THAT(messageOf("i3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"));
-    EXPECT_THAT(messageOf("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));
+    EXPECT_THAT(refusal("\n<!DOCTYPE html>\n<html>"), ::testing::HasSubstr("is a web page, which is not read"));
+    EXPECT_THAT(refusal("PK\x03\x04"), ::testing::HasSubstr("is a zip archive, which is not read; unpack it"));
+    EXPECT_THAT(refusal("\x1f\x8b\x08"), ::testing::HasSubstr("is a gzip archive"));
+    EXPECT_THAT(refusal("b3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools b3dmToGlb`"));
+    EXPECT_THAT(refusal("i3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"));
+    EXPECT_THAT(refusal("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));
   }
 }
 

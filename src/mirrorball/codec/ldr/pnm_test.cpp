@@ -137,25 +137,27 @@ TEST(Pfm, TheScaleIsTheSamplesUnit) {
   EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 0 " + floatBytes({1, 4}, false))));
 }
 
+Result<DecodedImage> pfm(const std::string& file) { return decodePfm(bytesOf(file)); }
+
 TEST(Pfm, TheHeaderMayEndWithCrLf) {
   const std::string samples = floatBytes({1, 2, 3, 0.25f, 1e6f, -5}, false);
-  const auto image = decodePfm(bytesOf("PF\r\n1 2\r\n-1.0\r\n" + samples));
+  const auto image = pfm("PF\r\n1 2\r\n-1.0\r\n" + samples);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_THAT(image->image.samples(), ElementsAre(0.25f, 1e6f, -5.0f, 1.0f, 2.0f, 3.0f));
   EXPECT_THAT(image->oddities, ElementsAre("its header ends with CR LF: the samples begin behind both"));
   // The LF is the first byte of the sample 0x3f80000a.
-  const auto exact = decodePfm(bytesOf(std::string("Pf 1 1 -1\r\n") + '\0' + "\x80\x3f"));
+  const auto exact = pfm(std::string("Pf 1 1 -1\r\n") + '\0' + "\x80\x3f");
   ASSERT_TRUE(exact) << exact.error().message;
   EXPECT_EQ(exact->image.samples()[0], bitCast<float>(0x3f80000au));
   EXPECT_THAT(exact->oddities, IsEmpty());
 }
 
 TEST(Pfm, TheScaleMayHaveADecimalComma) {
-  const auto image = decodePfm(bytesOf("Pf 2 1 -2,500000\n" + floatBytes({1, 4}, false)));
+  const auto image = pfm("Pf 2 1 -2,500000\n" + floatBytes({1, 4}, false));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_THAT(image->image.samples(), ElementsAre(2.5f, 10.0f));
   EXPECT_THAT(image->oddities, ElementsAre("its scale has a decimal comma: read as a point"));
-  EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 -1,0.0\n" + floatBytes({1, 4}, false))));
+  EXPECT_FALSE(pfm("Pf 2 1 -1,0.0\n" + floatBytes({1, 4}, false)));
 }
 
 TEST(Pfm, EveryTruncationIsAnError) {

@@ -38,7 +38,7 @@ struct TiffForm {
   std::string xmp = {};
   std::optional<glm::uvec2> whole = {};  ///< Pixar's size of the full image
   glm::vec2 position{0.0f};              ///< in inches, if `whole` is there
-  float resolution = 150.0f;             ///< texels an inch, likewise; 0: is not said
+  float resolution = 150.0f;             ///< texels an inch, likewise; 0: none is named
 };
 
 /// A file in memory that libtiff writes to.

@@ -7,6 +7,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/primaries.h"
 
 namespace mirrorball {
@@ -31,13 +32,24 @@ std::string sizeText(const Photograph& photograph) {
   return std::to_string(photograph.width()) + "x" + std::to_string(photograph.height());
 }
 
+/// Whether the codes of two photographs mean the same light, by whatever each file states or leaves out.
+bool haveSameColors(const CodedColor& a, const CodedColor& b) {
+  if (isSrgb(a) || isSrgb(b)) return isSrgb(a) && isSrgb(b);
+  const auto conversion = [](const CodedColor& color) {
+    return color.primaries ? rec709FromPrimaries(*color.primaries) : std::nullopt;
+  };
+  constexpr double kRounded = 0.01;  // of a gamma that one file has as a fraction and another as a decimal
+  return a.transfer == b.transfer && (a.transfer != Transfer::gamma || std::abs(a.gamma - b.gamma) < kRounded) &&
+         conversion(a) == conversion(b);
+}
+
 Result<void> checkSeries(std::span<const Photograph> photographs) {
   const Photograph& first = photographs.front();
   for (const Photograph& photograph : photographs) {
     if (photograph.width() != first.width() || photograph.height() != first.height())
       return fail(ErrorCode::bad_shape, photograph.name + ": is " + sizeText(photograph) + ", but " + first.name +
                                             " is " + sizeText(first) + "; a series has one size");
-    if (photograph.color.primaries != first.color.primaries || photograph.color.transfer != first.color.transfer)
+    if (!haveSameColors(photograph.color, first.color))
       return fail(ErrorCode::bad_shape, photograph.name + ": says of its colours " +
                                             describeColor(photograph.color, 3) + ", but " + first.name + " " +
                                             describeColor(first.color, 3) + "; a series has the same");

@@ -232,6 +232,14 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
   colors[1].color.primaries = kDisplayP3;
   EXPECT_THAT(errorOf(colors, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message,
               HasSubstr("photo_1.jpg: says of its colours sRGB, primaries of the file (Display P3)"));
+  // Some programs state sRGB, some state nothing: that is the same.
+  auto stated = series;
+  stated[1].color.primaries = kRec709;
+  EXPECT_TRUE(mergePhotographs(stated, {.exposures = {0.5, 1.0}, .response = ResponseKind::srgb}));
+  auto gammas = series;
+  gammas[0].color = {Transfer::gamma, 1.8};
+  gammas[1].color = {Transfer::gamma, 2.2};
+  EXPECT_EQ(mergePhotographs(gammas, {.exposures = {0.5, 1.0}, .response = {}}).error().code, ErrorCode::bad_shape);
   series[1] = bracketedSeries(Image(40, 41, 3, 0.2f), {1.0}, srgb)[0];
   const std::string sizes = errorOf(series, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message;
   EXPECT_THAT(sizes, HasSubstr("40x41"));

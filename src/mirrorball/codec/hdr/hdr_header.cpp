@@ -80,6 +80,9 @@ class VariableReader {
 
   /// Tells what of all lines together is unusual.
   void finish() {
+    if (undivided_ > 0)
+      tell(first_undivided_ + (undivided_ > 1 ? ", and " + std::to_string(undivided_ - 1) + " more such lines" : "") +
+           ", which cannot be divided out: taken as 1");
     if (!has_format_) tell("does not say its FORMAT: read as 32-bit_rle_rgbe");
     if (has_decimal_comma_) tell("has numbers with decimal commas: read as points");
     // Written by programs after B. Walter's rgbe.c, where it speaks of codes of a display; 1 by nearly all of them.
@@ -129,9 +132,11 @@ class VariableReader {
       return static_cast<double>(header_.exposure[c]) * (*factors)[count == 1 ? 0 : std::size_t(c)];
     };
     const auto can_divide = [](double number) { return number > 1e-30 && number < 1e30; };
-    if (!factors || !can_divide(product(0)) || !can_divide(product(1)) || !can_divide(product(2)))
-      return tell(lines_.place() + " says " + std::string(variable.name) + "=" + excerpt(variable.value, 32) +
-                  ", which cannot be divided out: taken as 1");
+    if (!factors || !can_divide(product(0)) || !can_divide(product(1)) || !can_divide(product(2))) {
+      if (undivided_++ == 0)
+        first_undivided_ = lines_.place() + " says " + std::string(variable.name) + "=" + excerpt(variable.value, 32);
+      return;
+    }
     header_.exposure = glm::vec3(product(0), product(1), product(2));
   }
 
@@ -147,6 +152,8 @@ class VariableReader {
   const LineReader& lines_;
   bool has_format_ = false;
   bool has_decimal_comma_ = false;
+  std::size_t undivided_ = 0;  // lines of exposures that cannot be divided out
+  std::string first_undivided_;
   double gamma_ = 1.0;
   double pixel_aspect_ = 1.0;
 };

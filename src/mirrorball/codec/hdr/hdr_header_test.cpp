@@ -72,6 +72,8 @@ TEST(HdrHeader, AnExposureThatCannotBeDividedOutIsOne) {
   const std::string substance = "#?RADIANCE\n# Made with FreeImage 3.17.0\n" + kFormat + "GAMMA=1\nEXPOSURE=0\n\n";
   EXPECT_EQ(lightBehind(substance), glm::vec3(16, 32, 64));
   EXPECT_THAT(remarksOn(substance), ElementsAre("line 5 says EXPOSURE=0, which cannot be divided out: taken as 1"));
+  EXPECT_THAT(remarksOn("#?RADIANCE\n" + kFormat + "EXPOSURE=0\nEXPOSURE=0\nEXPOSURE=0\n\n"),
+              ElementsAre("line 3 says EXPOSURE=0, and 2 more such lines, which cannot be divided out: taken as 1"));
   for (const char* wrong : {"EXPOSURE=-2", "EXPOSURE=nan", "EXPOSURE=", "EXPOSURE=1e300", "EXPOSURE=1 2",
                             "EXPOSURE=bright", "COLORCORR=1 2", "COLORCORR=1 0 1", "COLORCORR=1,2,3"}) {
     const std::string header = "#?RADIANCE\n" + kFormat + "EXPOSURE=2\n" + wrong + "\nEXPOSURE=4\n\n";

@@ -21,12 +21,8 @@ bool fitsCodes(const Image& light) {
                      [](float sample) { return sample >= kLeast && sample <= kMost; });
 }
 
-/// The remark on a profile that is not applied; sRGB's own by its name needs none.
 void tellUnreadProfile(CodedFile& file) {
-  const std::string& name = file.color.unread_profile;
-  if (!name.empty() && !name.starts_with("sRGB"))
-    file.oddities.push_back("has an ICC profile (" + name +
-                            ") without a matrix and one curve, which is not applied: taken as sRGB");
+  if (std::string remark = unreadProfileRemark(file.color); !remark.empty()) file.oddities.push_back(std::move(remark));
 }
 
 /// The remark on colours that are not sRGB's as they stand.
@@ -37,6 +33,12 @@ void tellColor(CodedFile& file) {
 }
 
 }  // namespace
+
+std::string unreadProfileRemark(const CodedColor& color) {
+  const std::string& name = color.unread_profile;
+  if (name.empty() || name.starts_with("sRGB")) return {};
+  return "has an ICC profile (" + name + ") without a matrix and one curve, which is not applied: taken as sRGB";
+}
 
 std::string uprightRemark(int orientation, const std::string& source) {
   if (orientation <= 1 || orientation > 8) return {};

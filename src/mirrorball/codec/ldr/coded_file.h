@@ -29,6 +29,9 @@ struct CodedFile {
   std::vector<std::string> oddities = {};  ///< DecodedImage's
 };
 
+/// The remark on an ICC profile that is not applied; empty where there is none, and for sRGB's own by its name.
+std::string unreadProfileRemark(const CodedColor& color);
+
 /// "turned upright, as its EXIF says (orientation 6)": the remark on a picture that was not stored so; empty for one
 /// that was.
 std::string uprightRemark(int orientation, const std::string& source);

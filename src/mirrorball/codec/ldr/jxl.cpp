@@ -180,8 +180,8 @@ Result<DecodedImage> decodeJxl(Span bytes) {
   decodeColor(image, file.color());
   std::string color = describeColor(file.color(), image.channels());
   DecodedImage decoded{std::move(image), {}, file.format(), std::move(color)};
-  if (std::string remark = uprightRemark(file.orientation(), kJxlOrientation); !remark.empty())
-    decoded.oddities.push_back(std::move(remark));
+  for (std::string remark : {uprightRemark(file.orientation(), kJxlOrientation), unreadProfileRemark(file.color())})
+    if (!remark.empty()) decoded.oddities.push_back(std::move(remark));
   return decoded;
 }
 

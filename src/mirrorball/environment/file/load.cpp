@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_layers.h"
@@ -157,13 +158,18 @@ Result<void> checkIsSquare(const Image& face) {
 
 /// Brings six squares to the largest side among them: skies for Quake have a small bottom of one colour
 /// (DaemonEngine/Daemon#179). Where some have fewer channels than others, all become three.
-void equalizeFaces(const FaceFiles& files, ImageSet& images, std::vector<std::string>& oddities) {
+///
+/// errors   too_large
+Result<void> equalizeFaces(const FaceFiles& files, ImageSet& images, std::vector<std::string>& oddities) {
   int side = 0;
   bool has_equal_channels = true;
   forEachImage(images, [&](const Image& image) {
     side = std::max(side, image.width());
     has_equal_channels = has_equal_channels && image.channels() == images.at(0, 0).channels();
   });
+  const std::uint64_t texels = 6 * std::uint64_t(side) * std::uint64_t(side);
+  const int channels = has_equal_channels ? images.at(0, 0).channels() : 3;
+  MIRRORBALL_TRY_VOID(checkMemory(texels * std::uint64_t(channels) * sizeof(float)));
   for (int slot = 0; slot < 6; ++slot) {
     Image& image = images.at(0, slot);
     if (!has_equal_channels) image = rgbOf(image);
@@ -174,6 +180,7 @@ void equalizeFaces(const FaceFiles& files, ImageSet& images, std::vector<std::st
                        ", and the largest of the six faces is " + others + "x" + others + ": enlarged");
     image = resized(image, glm::ivec2(side));
   }
+  return {};
 }
 
 /// The remark on six files that do not state that they are a cube, nor how they lie.
@@ -227,7 +234,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     for (const std::string& oddity : decoded.oddities)
       oddities.push_back(fs::path(path).filename().string() + " " + oddity);
   }
-  equalizeFaces(files, images, oddities);
+  MIRRORBALL_TRY_VOID(withName(name, equalizeFaces(files, images, oddities)));
   MIRRORBALL_TRY(loaded,
                  withName(name, cubeOf(std::move(images), std::move(format), std::move(color), std::move(metadata),
                                        std::move(recognition), bad, options, isCommon(files.naming))));
@@ -250,7 +257,9 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
   Recognition& recognition = meaning.recognition;
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(decoded.image, options));
-  if (meaning.changesPicture() && options.repair) MIRRORBALL_TRY_VOID(repairNonFinite(decoded.image));
+  // Before its texels reach others. A map that keeps them is repaired image by image.
+  if (options.repair && (meaning.changesPicture() || options.from.rest))
+    MIRRORBALL_TRY_VOID(repairNonFinite(decoded.image));
   MIRRORBALL_TRY_VOID(completePanorama(meaning, options.from, decoded));
   const auto mapIn = [&](Image picture, const MapForm& form) -> Result<EnvironmentMap> {
     MIRRORBALL_TRY(images, imagesInPicture(std::move(picture), form));
@@ -391,12 +400,18 @@ void tellOddities(const std::string& name, const std::vector<std::string>& oddit
     observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
-/// Tells of a square picture that it has the name of a face, without enough of the others.
-void tellOfMissingFaces(const std::string& path, LoadedEnvironment& loaded) {
+/// Tells of a square picture that it has the name of a face, without the others or without a sign that they are a cube.
+void tellOfOtherFaces(const std::string& path, LoadedEnvironment& loaded) {
   const Recognition& recognition = *loaded.recognition;
   if (recognition.form.projection != Projection::sphere || !recognition.told_by.starts_with("its shape")) return;
   const auto files = faceFilesBeside(path);
-  if (files && !isCommon(files->naming))
+  if (!files) return;
+  if (isCommon(files->naming))
+    loaded.doubt = {
+        "has a name like five pictures beside it, without a sign that the six are a cube: read alone, as a "
+        "sphere map",
+        {"faces"}};
+  else
     loaded.oddities.push_back("is named like one of the six faces of a cube, of which " + listFaces(*files, false) +
                               (files->present == 5 ? " is" : " are") + " missing: read alone, as a sphere map");
 }
@@ -443,7 +458,7 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
                                       "or as docs/conventions.md says");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
   MIRRORBALL_TRY(loaded, loadFile(name_or_path, options, progress));
-  tellOfMissingFaces(name_or_path, loaded);
+  tellOfOtherFaces(name_or_path, loaded);
   return loaded;
 }
 
@@ -520,13 +535,14 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
       options.from.rest)
     return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
-  return PanoramaRows{std::move(rows), picture_from_world};
+  return PanoramaRows{std::move(rows), picture_from_world, std::move(meaning.oddities)};
 }
 
 void tellAbout(const PanoramaRows& panorama, const std::string& name, const Observer& observer) {
   const RowReader::Description& picture = panorama.rows->description();
   std::vector<std::string> oddities = picture.oddities;
   if (picture.window) adviseOnRest(*picture.window, oddities);
+  oddities.insert(oddities.end(), panorama.oddities.begin(), panorama.oddities.end());
   tellOddities(name, oddities, picture.is_layer_guessed, observer);
 }
 

@@ -101,6 +101,7 @@ struct PanoramaRows {
   std::unique_ptr<RowReader> rows;
   /// Turns our directions into the picture's own: it may have another than +Z at its centre.
   glm::mat3 picture_from_world{1.0f};
+  std::vector<std::string> oddities = {};  ///< what was decided of its form, beside those of its file
 };
 
 /// Opens a panorama to be read by rows.

@@ -383,6 +383,8 @@ TEST_F(LoadTest, SixNumberedPicturesAreACubeOnlyIfTheyMeet) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(textOf(loaded->recognition->form), "sphere");
   EXPECT_TRUE(loaded->oddities.empty());
+  EXPECT_THAT(loaded->doubt.message, HasSubstr("without a sign that the six are a cube: read alone"));
+  EXPECT_THAT(loaded->doubt.other_forms, ElementsAre("faces"));
   EXPECT_EQ(textOf(loadEnvironment(path("v_2.exr"), {.from = *formHintNamed("faces")})->recognition->form),
             "cube, faces");
   // Nor if one is no square.

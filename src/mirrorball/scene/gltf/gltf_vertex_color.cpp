@@ -4,37 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mirrorball/scene/channel_range.h"
+
 namespace mirrorball::gltf {
 namespace {
 
-constexpr float kGreatestCode = 255.0f;
 constexpr std::size_t kAlpha = 3;
-
-/// What the numbers of some channels are.
-class ChannelRange {
- public:
-  void add(float number) {
-    // Codes that Draco has quantised as floats are not quite whole.
-    constexpr float kNearlyWhole = 0.01f;
-    if (!std::isfinite(number)) return;
-    least_ = std::min(least_, number);
-    greatest_ = std::max(greatest_, number);
-    is_whole_ = is_whole_ && std::abs(number - std::round(number)) < kNearlyWhole;
-  }
-
-  bool isOfCodes() const { return is_whole_ && least_ >= 0.0f && greatest_ > 1.0f && greatest_ < kGreatestCode + 0.5f; }
-
-  /// Whether it is beyond [0, 1] by more than rounding.
-  bool isBeyond() const {
-    constexpr float kRounding = 0.5f / kGreatestCode;
-    return least_ < -kRounding || greatest_ > 1.0f + kRounding;
-  }
-
- private:
-  float least_ = 0.0f;
-  float greatest_ = 0.0f;
-  bool is_whole_ = true;
-};
 
 }  // namespace
 
@@ -61,8 +36,8 @@ ColorOddity bringIntoRange(Numbers& colors) {
   for (std::size_t i = 0; i < colors.values.size(); ++i)
     (i % components == kAlpha ? alpha : color).add(colors.values[i]);
   const bool are_codes = color.isOfCodes();
-  const float full_alpha = are_codes && alpha.isOfCodes() ? kGreatestCode : 1.0f;
-  const float full_color = are_codes ? kGreatestCode : 1.0f;
+  const float full_alpha = are_codes && alpha.isOfCodes() ? ChannelRange::kGreatestCode : 1.0f;
+  const float full_color = are_codes ? ChannelRange::kGreatestCode : 1.0f;
   for (std::size_t i = 0; i < colors.values.size(); ++i) {
     float& number = colors.values[i];
     if (std::isfinite(number))

@@ -153,6 +153,15 @@ TEST_F(MtlFolderTest, ColoursThatAreOddAreToldOrLeftAlone) {
   const Scene codes = load("newmtl a\nKd 255 51 0\n");
   EXPECT_NEAR(codes.materials.at(0).base_color.g, 0.2f, 1e-6f);
   EXPECT_THAT(codes.warnings, ElementsAre(HasSubstr("has a Kd of 255, beyond 1: it is read in parts of 255")));
+  const Scene rounded = load("newmtl a\nKd 1.000001 1 0.5\n");
+  EXPECT_EQ(rounded.materials.at(0).base_color, glm::vec3(1, 1, 0.5f));
+  EXPECT_THAT(rounded.warnings, IsEmpty());
+  const Scene bright = load("newmtl a\nKd 1.2 0.5 0\n");
+  EXPECT_EQ(bright.materials.at(0).base_color, glm::vec3(1, 0.5f, 0));
+  EXPECT_THAT(bright.warnings, ElementsAre(HasSubstr("has a Kd of 1.2, beyond 1: it is cut to 1")));
+  const Scene negative = load("newmtl a\nKd -1 0.5 0\n");
+  EXPECT_EQ(negative.materials.at(0).base_color, glm::vec3(0, 0.5f, 0));
+  EXPECT_THAT(negative.warnings, ElementsAre(HasSubstr("has a Kd of -1, below 0: it is cut to 0")));
 }
 
 // Programs disagree whether Tr is 1 − d or d (three.js#12861); of MeshLab's old ones it is d (meshlab#1399).

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/channel_range.h"
 #include "mirrorball/scene/mesh_file/number_text.h"
 #include "mirrorball/scene/mesh_file/obj_statements.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
@@ -25,7 +26,7 @@ class VertexColors {
   void add(std::size_t vertex, glm::dvec3 color) {
     behind_positions_.resize(vertex, kNone);
     behind_positions_.emplace_back(toFloat(color.x), toFloat(color.y), toFloat(color.z));
-    if (const double greatest = std::max({color.x, color.y, color.z}); greatest > greatest_) greatest_ = greatest;
+    for (int channel = 0; channel < 3; ++channel) range_.add(behind_positions_.back()[channel]);
   }
 
   /// Of the next vertices: 8 hexadecimal digits each, the first two of which are a mask.
@@ -40,14 +41,16 @@ class VertexColors {
 
   /// Of that many vertices; empty: the file has none.
   std::vector<glm::vec3> linear(std::size_t vertices, std::vector<std::string>& remarks) {
-    const bool are_codes = behind_positions_.empty() || greatest_ > 1.0;
+    const bool are_codes = behind_positions_.empty() || range_.isOfCodes();
     std::vector<glm::vec3>& colors = behind_positions_.empty() ? polypaint_ : behind_positions_;
     if (colors.empty()) return {};
-    if (!behind_positions_.empty() && are_codes)
-      remarks.push_back("has colours of vertices up to " + formatNumber(greatest_) +
-                        ", beyond the 1 that is usual: they are read as codes of 255");
+    if (range_.isBeyond())
+      remarks.push_back(are_codes ? "has colours of vertices up to " + formatNumber(range_.greatest()) +
+                                        ", beyond the 1 that is usual: they are read as codes of 255"
+                                  : "has colours of vertices from " + formatNumber(range_.least()) + " to " +
+                                        formatNumber(range_.greatest()) + ": they are cut to 0 to 1");
     colors.resize(vertices, kNone);
-    for (glm::vec3& color : colors) color = linearFromCodes(are_codes ? color / 255.0f : color);
+    for (glm::vec3& color : colors) color = linearFromCodes(are_codes ? color / ChannelRange::kGreatestCode : color);
     return std::move(colors);
   }
 
@@ -56,7 +59,7 @@ class VertexColors {
 
   std::vector<glm::vec3> behind_positions_;
   std::vector<glm::vec3> polypaint_;
-  double greatest_ = 0.0;
+  ChannelRange range_;  // of those behind positions
 };
 
 /// An index as OBJ counts it, from 1, or from the last one backwards: from 0. Nothing where it can name none.

@@ -108,6 +108,20 @@ TEST(ObjGeometry, ColoursBeyondOneAreCodes) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("up to 255, beyond the 1 that is usual: they are read as codes")));
 }
 
+// One vertex of a scan that rounding, or light, has left above 1 says nothing of the others.
+TEST(ObjGeometry, ColoursThatAreNotWholeAreCutAtOne) {
+  const auto load = [](const std::string& red) {
+    return sceneOfObj("v -1 -1 0 " + red + " 0 0\nv 1 -1 0 0.735357 0 0\nv 1 1 0 0 0 0\nf 1 2 3\n");
+  };
+  for (const std::string red : {"1.0001", "1.5"}) {
+    const Scene scene = load(red);
+    EXPECT_EQ(scene.meshes.at(0)->vertices[0].color.r, 1.0f);
+    EXPECT_NEAR(scene.meshes[0]->vertices[1].color.r, 0.5f, 1e-5f);
+  }
+  EXPECT_THAT(load("1.0001").warnings, IsEmpty());
+  EXPECT_THAT(load("1.5").warnings, ElementsAre(HasSubstr("from 0 to 1.5: they are cut to 0 to 1")));
+}
+
 // ZBrush keeps its polypaint in comments: a mask and a colour each.
 TEST(ObjGeometry, PolypaintIsRead) {
   const Scene scene = sceneOfObj(kSquareVertices + "#MRGB ffff0000ff00ff00ff0000ff\n#MRGB ffbc0000\nf 1 2 3 4\n");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/channel_range.h"
 #include "mirrorball/scene/mesh_file/named_pictures.h"
 
 namespace mirrorball {
@@ -77,12 +78,7 @@ class MaterialConverter {
     const glm::vec3 without = colors && material.base_color_map.texture >= 0 ? glm::vec3(1.0f) : material.base_color;
     glm::vec3 color = source.diffuse.value_or(without);
     if (colors && color == glm::vec3(0.0f)) color = without;
-    if (const float greatest = std::max({color.r, color.g, color.b}); greatest > 1.0f) {
-      scene_.warnings.push_back(quotedName(source) + " has a Kd of " + formatNumber(greatest) + ", beyond 1: " +
-                                (greatest <= 255.0f ? "it is read in parts of 255" : "it is cut to 1"));
-      if (greatest <= 255.0f) color /= 255.0f;
-    }
-    material.base_color = glm::clamp(color, glm::vec3(0.0f), glm::vec3(1.0f));
+    material.base_color = readFractions(source, color);
     material.emission =
         glm::clamp(source.emission.value_or(glm::vec3(0.0f)), glm::vec3(0.0f), glm::vec3(kBrightestEmission));
     if (!source.map(MtlMapKind::emission)) return;
@@ -91,6 +87,23 @@ class MaterialConverter {
       material.emission = glm::vec3(0.0f);
     else if (material.emission == glm::vec3(0.0f))
       material.emission = glm::vec3(1.0f);
+  }
+
+  /// A Kd in [0, 1].
+  glm::vec3 readFractions(const MtlMaterial& source, glm::vec3 color) {
+    ChannelRange range;
+    for (const float number : {color.r, color.g, color.b}) range.add(number);
+    const bool is_of_codes = range.isOfCodes();
+    if (range.isBeyond()) {
+      const bool is_above = range.greatest() > 1.0f;
+      scene_.warnings.push_back(quotedName(source) + " has a Kd of " +
+                                formatNumber(is_above ? range.greatest() : range.least()) +
+                                (is_above ? ", beyond 1: it is " : ", below 0: it is ") +
+                                (is_of_codes ? "read in parts of 255"
+                                 : is_above  ? "cut to 1"
+                                             : "cut to 0"));
+    }
+    return glm::clamp(is_of_codes ? color / ChannelRange::kGreatestCode : color, glm::vec3(0.0f), glm::vec3(1.0f));
   }
 
   void setRoughness(const MtlMaterial& source, Material& material) {

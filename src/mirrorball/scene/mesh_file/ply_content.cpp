@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/channel_range.h"
 #include "mirrorball/scene/mesh_file/ply_values.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/vertex_colors.h"
@@ -84,7 +85,8 @@ class Row {
     return std::all_of(roles.begin(), roles.end(), [&](Role role) { return scales_[role] != 0.0; });
   }
   bool hasColor() const { return has({kRed, kGreen, kBlue}); }
-  double fullColor() const { return scales_[kRed]; }
+  /// What stands for 1 by the type of a channel: 1 of a float.
+  double full(Role channel) const { return scales_[channel]; }
 
   void set(std::size_t property, double value) {
     if (roles_[property]) values_[*roles_[property]] = value;
@@ -103,25 +105,56 @@ class Row {
   std::array<double, kRoleCount> values_{};
 };
 
-/// The greatest colour of an element's rows, by which it is known what their numbers are.
-struct ColorRange {
-  double greatest = 0.0;
-
-  void add(glm::dvec4 color) {
-    const double top = std::max({color.r, color.g, color.b});
-    if (std::isfinite(top)) greatest = std::max(greatest, top);
-  }
-
-  /// What stands for 1: of an integer wider than a byte that holds codes of bytes, and of a float that does, 255.
-  double full(double of_type) const {
-    if (of_type == 1.0) return greatest > 1.0 ? 255.0 : 1.0;
-    return of_type > 255.0 && greatest <= 255.0 ? 255.0 : of_type;
-  }
-};
-
 glm::vec4 toFloats(glm::dvec4 numbers) {
   return {toFloat(numbers.x), toFloat(numbers.y), toFloat(numbers.z), toFloat(numbers.w)};
 }
+
+/// The colours of an element's rows, of which only all together tell what their numbers are.
+class ElementColors {
+ public:
+  void add(glm::vec4 color) {
+    for (int channel = 0; channel < 3; ++channel) color_.add(color[channel]);
+    alpha_.add(color.a);
+  }
+
+  /// To be called when all are added: what stands for 1 is known by their types.
+  void setTypes(double full_color, double full_alpha) {
+    type_full_ = static_cast<float>(full_color);
+    full_ = full(color_, full_color);
+    full_alpha_ = full(alpha_, full_alpha);
+  }
+
+  /// The linear colour of what the file has.
+  glm::vec4 toLinear(glm::vec4 read) const {
+    const glm::vec3 share = glm::vec3(read) / full_;
+    const float alpha = std::isnan(read.a) ? 1.0f : std::clamp(read.a / full_alpha_, 0.0f, 1.0f);
+    if (full_ != 1.0f) return {linearFromCodes(share), alpha};
+    return {glm::mix(glm::clamp(share, 0.0f, 1.0f), glm::vec3(1.0f), glm::isnan(share)), alpha};
+  }
+
+  /// What is odd about them, as "go to 188, …"; empty: nothing.
+  std::string remark() const {
+    const std::string greatest = formatNumber(color_.greatest());
+    if (full_ != type_full_ && color_.greatest() > 0.0f) return "go to " + greatest + ", and are read as codes of 255";
+    if (full_ == 1.0f && color_.isBeyond())
+      return "go from " + formatNumber(color_.least()) + " to " + greatest + ", and are cut to 0 to 1";
+    return "";
+  }
+
+ private:
+  /// An integer wider than a byte may hold codes of bytes, and so may a float.
+  static float full(const ChannelRange& range, double of_type) {
+    const bool are_bytes =
+        of_type == 1.0 ? range.isOfCodes()
+                       : of_type > ChannelRange::kGreatestCode && range.greatest() <= ChannelRange::kGreatestCode;
+    return are_bytes ? ChannelRange::kGreatestCode : static_cast<float>(of_type);
+  }
+
+  ChannelRange color_, alpha_;
+  float type_full_ = 1.0f;
+  float full_ = 1.0f;
+  float full_alpha_ = 1.0f;
+};
 
 glm::vec2 downwards(double u, double v) {
   const auto coordinate = [](double value) { return toFloat(std::clamp(value, -1e6, 1e6)); };
@@ -190,16 +223,17 @@ class ContentReader {
     content_.vertices.reserve(content_.vertices.size() + element.count);
     content_.positions.reserve(content_.positions.size() + element.count);
     const std::size_t first = content_.vertices.size();
-    ColorRange range;
     for (std::size_t i = 0; i < element.count; ++i) {
       MIRRORBALL_TRY_VOID(readRow(row, i));
       addVertex(row);
-      if (content_.has_colors) range.add(row.color());
     }
-    if (content_.has_colors)
-      for (Vertex& vertex : std::span(content_.vertices).subspan(first))
-        vertex.color = toLinear(vertex.color, row.fullColor(), range);
-    if (content_.has_colors) tellOfColors("vertices", row.fullColor(), range);
+    if (!content_.has_colors) return {};
+    const auto added = std::span(content_.vertices).subspan(first);
+    ElementColors colors;
+    for (const Vertex& vertex : added) colors.add(vertex.color);
+    colors.setTypes(row.full(kRed), row.full(kAlpha));
+    for (Vertex& vertex : added) vertex.color = colors.toLinear(vertex.color);
+    tellOfColors("vertices", colors);
     return {};
   }
 
@@ -211,19 +245,9 @@ class ContentReader {
     if (content_.has_colors) vertex.color = toFloats(row.color());
   }
 
-  /// The linear colour of what the file has.
-  static glm::vec4 toLinear(glm::vec4 read, double full_of_type, const ColorRange& range) {
-    const auto full = static_cast<float>(range.full(full_of_type));
-    const glm::vec3 share = glm::vec3(read) / full;
-    const float alpha = std::isnan(read.a) ? 1.0f : std::clamp(read.a / full, 0.0f, 1.0f);
-    if (full != 1.0f) return {linearFromCodes(share), alpha};
-    return {glm::mix(glm::clamp(share, 0.0f, 1.0f), glm::vec3(1.0f), glm::isnan(share)), alpha};
-  }
-
-  void tellOfColors(const char* of, double full_of_type, const ColorRange& range) {
-    if (range.full(full_of_type) == full_of_type || range.greatest == 0.0) return;
-    content_.remarks.push_back("the colours of its " + std::string(of) + " go to " + formatNumber(range.greatest) +
-                               ", and are read as codes of 255");
+  void tellOfColors(const char* of, const ElementColors& colors) {
+    if (const std::string remark = colors.remark(); !remark.empty())
+      content_.remarks.push_back("the colours of its " + std::string(of) + " " + remark);
   }
 
   Result<void> readRow(Row& row, std::size_t index) {
@@ -247,7 +271,10 @@ class ContentReader {
   Result<void> readFaces(const PlyElement& element) {
     Row row(element);
     const bool has_own = element.isFaces() && (row.hasColor() || row.has({kPicture}));
-    ColorRange range;
+    // Triangles before them have nothing for themselves.
+    if (has_own) content_.faces.resize(content_.indices.size() / 3);
+    const std::size_t first = content_.faces.size();
+    ElementColors colors;
     for (std::size_t i = 0; i < element.count; ++i) {
       corners_.clear();
       uvs_.clear();
@@ -258,15 +285,15 @@ class ContentReader {
         addStrips();
       if (!has_own) continue;
       PlyFace face;
-      if (row.hasColor()) face.color = toFloats(row.color());
-      if (row.hasColor()) range.add(row.color());
+      if (row.hasColor()) colors.add(face.color = toFloats(row.color()));
       if (row.has({kPicture}) && std::abs(row.at(kPicture)) < 1e6) face.picture = static_cast<int>(row.at(kPicture));
       content_.faces.resize(content_.indices.size() / 3, face);
     }
     if (!has_own || !row.hasColor()) return {};
     content_.has_face_colors = true;
-    for (PlyFace& face : content_.faces) face.color = toLinear(face.color, row.fullColor(), range);
-    tellOfColors("faces", row.fullColor(), range);
+    colors.setTypes(row.full(kRed), row.full(kAlpha));
+    for (PlyFace& face : std::span(content_.faces).subspan(first)) face.color = colors.toLinear(face.color);
+    tellOfColors("faces", colors);
     return {};
   }
 

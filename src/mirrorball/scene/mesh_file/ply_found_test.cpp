@@ -85,6 +85,51 @@ TEST(PlyAsFound, ColoursAreInPartsOfWhatTheirTypeHolds) {
   EXPECT_EQ(readRed("float", "nan", false), 1.0f);
 }
 
+TEST(PlyAsFound, ColoursOfFloatsThatAreNotWholeAreCutAtOne) {
+  PlySquare square;
+  for (const std::string name : {"red", "green", "blue"}) square.of_vertex += "property float " + name + "\n";
+  square.vertices = {"1.0001 0.25 0", "0.5 0 0", "0 0 0", "0 0 0"};
+  const Scene rounded = sceneOfPly(square.text());
+  EXPECT_EQ(colorAt(rounded, 0), glm::vec4(1, 0.25f, 0, 1));
+  EXPECT_EQ(colorAt(rounded, 1), glm::vec4(0.5f, 0, 0, 1));
+  EXPECT_THAT(rounded.warnings, IsEmpty());
+  square.vertices[0] = "1.5 0.25 -1";
+  const Scene bright = sceneOfPly(square.text());
+  EXPECT_EQ(colorAt(bright, 0), glm::vec4(1, 0.25f, 0, 1));
+  EXPECT_THAT(bright.warnings, ElementsAre(HasSubstr("go from -1 to 1.5, and are cut to 0 to 1")));
+}
+
+TEST(PlyAsFound, OpacitiesAreInPartsOfWhatTheirOwnTypeHolds) {
+  const auto readAlpha = [](const std::string& type, const std::string& of_alpha, const std::string& color) {
+    PlySquare square;
+    for (const std::string name : {"red", "green", "blue"}) square.of_vertex += "property " + type + " " + name + "\n";
+    square.of_vertex += "property " + of_alpha + " alpha\n";
+    square.vertices = std::vector<std::string>(4, color);
+    return colorAt(sceneOfPly(square.text()), 0).a;
+  };
+  EXPECT_EQ(readAlpha("uchar", "float", "255 0 0 0.5"), 0.5f);
+  EXPECT_EQ(readAlpha("float", "uchar", "0.5 0 0 51"), 0.2f);
+  EXPECT_EQ(readAlpha("float", "float", "255 0 0 1"), 1.0f);
+  EXPECT_EQ(readAlpha("float", "float", "255 0 0 51"), 0.2f);
+  EXPECT_EQ(readAlpha("uchar", "ushort", "255 0 0 65535"), 1.0f);
+}
+
+TEST(PlyAsFound, EachElementOfFacesHasItsOwnColours) {
+  const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string list = "element face 1\nproperty list uchar int vertex_indices\n";
+  PlySquare square{.of_face = colors + list + colors, .faces = {"188 0 0", "188 188 0"}};
+  std::string text = square.text();
+  text.replace(text.find("element face 2"), 14, "element face 1");
+  const Scene two = sceneOfPly(text);
+  EXPECT_NEAR(colorAt(two, 0).r, 0.5028864f, 1e-5f) << "turned into light once";
+  EXPECT_NEAR(colorAt(two, 3).g, 0.5028864f, 1e-5f);
+  square.of_face = list + colors;
+  square.faces = {"", "0 188 0"};
+  text = square.text();
+  text.replace(text.find("element face 2"), 14, "element face 1");
+  EXPECT_EQ(colorAt(sceneOfPly(text), 0), glm::vec4(1)) << "the first has none";
+}
+
 TEST(PlyAsFound, ColoursOfFacesAreShown) {
   PlySquare square;
   square.of_face = "property uchar red\nproperty uchar green\nproperty uchar blue\n";

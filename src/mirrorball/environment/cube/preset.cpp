@@ -98,7 +98,8 @@ const std::array<Preset, 17>& table() {
                          {minus_z, plus_x, minus_y}}}},
        plus_z, CubeLayout::faces, FaceNaming::quake},
       // Its documentation of <image>: the sides l f r b u d, as an eye sees them that looks along f, with u above it
-      // and d below; panoramas with f in their middle. Marzipano, Pannellum and Photo Sphere Viewer read the same images.
+      // and d below; panoramas with f in their middle. Marzipano, Pannellum and Photo Sphere Viewer read the same
+      // images.
       {"krpano", "krpano", x_mirrored, plus_z, CubeLayout::faces, FaceNaming::letters},
       // OgreTextureUnitState.cpp, setCubicTextureName; OgreSceneManager.cpp, createSkyboxPlane: fr is in -z, the others
       // around it as an eye sees them.

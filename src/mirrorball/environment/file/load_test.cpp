@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/builtin/builtin.h"
@@ -364,6 +365,18 @@ TEST_F(LoadTest, ASmallFaceIsEnlargedAndAGreyOneGetsItsColours) {
   EXPECT_EQ(loaded->environment.radiance({0, -1, 0}), glm::vec3(0.25f));
   const glm::vec3 up = glm::normalize(glm::vec3(0.2f, 1.0f, 0.3f));
   EXPECT_NEAR(loaded->environment.radiance(up).x, testing::waves(up).x, 0.02f);
+}
+
+TEST_F(LoadTest, FacesAreNotEnlargedBeyondTheMemory) {
+  writeFaces(path("sky_"), FaceNaming::quake, "faces:for=quake");
+  for (const char* small : {"up", "lf", "rt", "ft", "bk"})
+    ASSERT_TRUE(writeImage(path(std::string("sky_") + small + ".exr"), Image(1, 1, 3, 0.25f)));
+  const std::uint64_t limit = memoryLimit();
+  setMemoryLimit(4 << 20);  // for one face of 256 x 256, and not for six
+  const auto loaded = loadEnvironment(path("sky_ft.exr"));
+  setMemoryLimit(limit);
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().code, ErrorCode::too_large);
 }
 
 TEST_F(LoadTest, AFolderWithoutAnotherFormIsRemarkedAsItIs) {

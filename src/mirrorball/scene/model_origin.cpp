@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -38,38 +38,60 @@ double stepOfFloats(glm::dvec3 place) {
   return size > 0.0 ? std::ldexp(1.0, std::ilogb(size) - kBits) : 0.0;
 }
 
-/// Moves the vertices of meshes that lie far from their nodes, as models do whose vertices have the coordinates of a
-/// map, to about their own origin, and that into their nodes.
+/// Which mesh of the rig's parts each of a scene's meshes is, or is the mirror image of.
+std::vector<std::size_t> uprightMeshes(const Scene& scene) {
+  std::vector<std::size_t> upright(scene.meshes.size());
+  std::iota(upright.begin(), upright.end(), std::size_t{0});
+  for (const auto& [mesh, image] : scene.rig.mirror_images)
+    if (std::size_t(image.mesh) < upright.size()) upright[std::size_t(image.mesh)] = std::size_t(mesh);
+  return upright;
+}
+
+/// How much longer at most the instances of a mesh that lies far from its nodes make it: of each of the rig's parts'
+/// meshes; 0 for those that need not be moved.
 ///
-/// returns   whether there are any
-bool moveMeshes(Scene& scene) {
-  const double radius = boxRadius(boxOfPositions(scene));
+/// radius   of the box around the scene
+std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
   std::vector<bool> is_bent(scene.meshes.size(), false);
   for (const RigPart& part : scene.rig.parts)
     if (part.deformation) is_bent[std::size_t(part.mesh)] = true;
+  const std::vector<std::size_t> upright = uprightMeshes(scene);
+  std::vector<double> scales(scene.meshes.size(), 0.0);
+  for (const Instance& instance : scene.instances) {
+    const std::size_t mesh = upright[std::size_t(instance.mesh)];
+    const std::vector<Vertex>& vertices = scene.meshes[mesh]->vertices;
+    if (is_bent[mesh] || vertices.empty()) continue;
+    const double scale = longestAxis(glm::dmat4(instance.world_from_object));
+    // Its other vertices are within two radii of the first. A small part of a model is at many of its own radii, and
+    // yet its numbers are fine enough for the model.
+    if (scale * glm::length(glm::dvec3(vertices.front().position)) > kRadiiAway * radius)
+      scales[mesh] = std::max(scales[mesh], scale);
+  }
+  return scales;
+}
+
+/// Moves the vertices of meshes that lie far from their nodes, as models do whose vertices have the coordinates of a
+/// map, to about their own origin, and that into their nodes. Mirror images follow when the scene is posed again.
+///
+/// radius    of the box around the scene
+/// returns   whether there are any
+bool moveMeshes(Scene& scene, double radius) {
+  const std::vector<double> scales = scalesOfFarMeshes(scene, radius);
   std::vector<glm::dvec3> origins(scene.meshes.size(), glm::dvec3(0.0));
   bool moves_any = false;
-  for (const Instance& instance : scene.instances) {
-    const auto index = std::size_t(instance.mesh);
-    // The images of mirroring nodes are made of the others.
-    if (is_bent[index] || origins[index] != glm::dvec3(0.0)) continue;
-    const DoubleBox box = boxAround(scene.meshes[index]);
-    const double scale = longestAxis(glm::dmat4(instance.world_from_object));
-    // A small part of a model is at many of its own radii, and yet its numbers are fine enough for the model.
-    if (scale * glm::length(box.center()) <= kRadiiAway * radius) continue;
-    origins[index] = originFor(box);
-    moves_any = true;
-    scene.vertex_step = std::max(scene.vertex_step, scale * stepOfFloats(box.center()));
-  }
-  if (!moves_any) return false;
   for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (scales[i] == 0.0) continue;
+    const DoubleBox box = boxAround(scene.meshes[i]);
+    origins[i] = originFor(box);
     if (origins[i] == glm::dvec3(0.0)) continue;
+    moves_any = true;
+    scene.vertex_step = std::max(scene.vertex_step, scales[i] * stepOfFloats(box.center()));
     for (Vertex& vertex : scene.meshes[i].edit().vertices)
       vertex.position = glm::vec3(glm::dvec3(vertex.position) - origins[i]);
   }
   for (RigPart& part : scene.rig.parts)
     if (!part.deformation) part.mesh_origin += origins[std::size_t(part.mesh)];
-  return true;
+  return moves_any;
 }
 
 }  // namespace
@@ -115,12 +137,14 @@ Result<void> moveOrigin(Scene& scene, glm::dvec3 origin) {
 Result<void> drawAboutMiddle(Scene& scene) {
   // Floats at the model's distance tell its middle no better than they tell its details; about that middle, they do.
   constexpr int kPasses = 3;
+  DoubleBox box = boxOfPositions(scene);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const glm::dvec3 middle = originFor(boxOfPositions(scene));
+    const glm::dvec3 middle = originFor(box);
     if (middle == glm::dvec3(0.0)) break;
     MIRRORBALL_TRY_VOID(moveOrigin(scene, scene.origin + middle));
+    box = boxOfPositions(scene);
   }
-  if (scene.rig.nodes.empty() || !moveMeshes(scene)) return {};
+  if (scene.rig.nodes.empty() || !moveMeshes(scene, boxRadius(box))) return {};
   return poseAtRest(scene);
 }
 

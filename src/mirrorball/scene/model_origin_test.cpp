@@ -1,5 +1,6 @@
 #include "mirrorball/scene/model_origin.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -204,6 +205,34 @@ TEST(ModelOrigin, VerticesThatANodeBringsBackAreRoundedOnceAlone) {
   place.translation.x += 1.0;
   ASSERT_TRUE(placeNode(moved, 0, place));
   EXPECT_LT(glm::distance(placesIn(moved)[0], right + glm::dvec3(1, 0, 0)), 1e-6);
+}
+
+// Of a node that mirrors, what is drawn is the mesh's mirror image, and that lies as far away.
+TEST(ModelOrigin, MirrorImagesOfFarVerticesStayInTheirPlace) {
+  const glm::dvec3 right = glm::dvec3(glm::vec3(kCorners[0] + kAway));
+  const glm::dvec3 mirrored(-right.x + 4400003.0, right.y + 3100000.0, right.z);
+  const std::string upright_node = R"({"mesh":0,"translation":[-4400000,3100000,0]})";
+  const std::string mirror_node = R"({"mesh":0,"scale":[-1,1,1],"translation":[4400003,3100000,0]})";
+  const auto hasCornerAt = [](const Scene& scene, std::size_t instance, glm::dvec3 place) {
+    const auto places = placesIn(scene);
+    ASSERT_GE(places.size(), 12 * instance + 12);
+    double nearest = 1e30;
+    for (std::size_t i = 12 * instance; i < 12 * instance + 12; ++i)
+      nearest = std::min(nearest, glm::distance(places[i], place));
+    EXPECT_LT(nearest, 1e-6);
+  };
+  const Scene alone = loaded("mirror.glb", gltfWith(mirror_node, kAway));
+  hasCornerAt(alone, 0, mirrored);
+  EXPECT_EQ(alone.vertex_step, 0.5);
+  for (const std::string& nodes : {upright_node + "," + mirror_node, mirror_node + "," + upright_node}) {
+    const bool begins_upright = nodes.starts_with(upright_node);
+    const Scene both = loaded("both.glb", gltfWith(R"({"children":[1,2]},)" + nodes, kAway));
+    hasCornerAt(both, begins_upright ? 0 : 1, right + glm::dvec3(-4400000, 3100000, 0));
+    hasCornerAt(both, begins_upright ? 1 : 0, mirrored);
+    EXPECT_EQ(both.meshes.size(), 2u) << "the mesh and its image, and no image of what it was before";
+    for (const Mesh& mesh : both.meshes)
+      for (const Vertex& vertex : mesh.vertices) EXPECT_LT(glm::length(vertex.position), 8.0f);
+  }
 }
 
 TEST(ModelOrigin, CamerasAndLightsKeepTheirPlacesAtTheModel) {

@@ -150,13 +150,17 @@ class Poser {
   int mirrorImageOf(int mesh) {
     const Shared<Mesh>& upright = scene_.meshes[std::size_t(mesh)];
     const auto known = rig_.mirror_images.find(mesh);
-    if (known != rig_.mirror_images.end() && known->second.of.isSameAs(upright) &&
-        std::size_t(known->second.mesh) < scene_.meshes.size())
-      return known->second.mesh;
+    const bool has_one = known != rig_.mirror_images.end() && std::size_t(known->second.mesh) < scene_.meshes.size();
+    if (has_one && known->second.of.isSameAs(upright)) return known->second.mesh;
     Mesh image = *upright;
     turnTriangles(image);
     turnBitangents(image);
-    const MirrorImage made{upright, addMesh(std::move(image))};
+    MirrorImage made{upright, has_one ? known->second.mesh : -1};
+    // The image of what the mesh was before is of no use any more.
+    if (has_one)
+      scene_.meshes[std::size_t(made.mesh)] = std::move(image);
+    else
+      made.mesh = addMesh(std::move(image));
     return rig_.mirror_images.insert_or_assign(mesh, made).first->second.mesh;
   }
 

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/number_text.h"
@@ -35,6 +36,14 @@ std::array<glm::dvec3, 3> readCorners(std::span<const std::uint8_t> facet) {
   return corners;
 }
 
+/// Whether a facet's normal is one, or 0 as programs write that have none.
+bool hasNormal(std::span<const std::uint8_t> facet) {
+  constexpr float kLengthError = 0.01f;
+  const auto numbers = valueAt<std::array<float, 3>>(facet, 0);
+  const float length = glm::length(glm::vec3(numbers[0], numbers[1], numbers[2]));
+  return length == 0.0f || std::abs(length - 1.0f) < kLengthError;
+}
+
 /// The facets of a binary STL, as many as the file holds.
 class BinaryStl {
  public:
@@ -42,8 +51,8 @@ class BinaryStl {
       : bytes_(bytes), named_(valueAt<std::uint32_t>(bytes, kStlCountAt)) {
     const std::size_t held = (bytes.size() - kStlHeaderSize) / kFacetSize;
     const bool fills_file = (bytes.size() - kStlHeaderSize) % kFacetSize == 0;
-    // Something may lie behind the facets. But what is as long as more of them, and where none are named, is facets.
-    count_ = named_ > 0 && named_ < held && !fills_file ? named_ : held;
+    // Something may lie behind the facets. But where none are named, and what looks like more of them, is facets.
+    count_ = named_ > 0 && named_ < held && !(fills_file && areFacetsBehind(held)) ? named_ : held;
   }
 
   std::size_t count() const { return count_; }
@@ -78,6 +87,31 @@ class BinaryStl {
   std::string_view text() const { return {reinterpret_cast<const char*>(bytes_.data()), kStlCountAt}; }
 
  private:
+  /// Whether what lies behind the named facets, up to that many, is more of them: triangles with normals of length 1 or
+  /// 0, not far from the others. Zeros fill a file up.
+  bool areFacetsBehind(std::size_t held) const {
+    constexpr double kReach = 1000.0;  // of the others' size
+    glm::dvec3 least(std::numeric_limits<double>::max()), greatest(std::numeric_limits<double>::lowest());
+    for (std::size_t i = 0; i < named_; ++i)
+      for (const glm::dvec3& corner : readCorners(facet(i))) {
+        if (std::isnan(toPlace(corner).x)) continue;
+        least = glm::min(least, corner);
+        greatest = glm::max(greatest, corner);
+      }
+    const double reach = kReach * glm::length(greatest - least);
+    const glm::dvec3 middle = 0.5 * (least + greatest);
+    std::size_t likely = 0;
+    for (std::size_t i = named_; i < held; ++i) {
+      const std::array<glm::dvec3, 3> corners = readCorners(facet(i));
+      const bool is_near = std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+        return glm::length(corner - middle) <= reach;  // no NaN is
+      });
+      const bool is_point = corners[0] == corners[1] && corners[1] == corners[2];
+      likely += is_near && !is_point && hasNormal(facet(i)) ? 1 : 0;
+    }
+    return 10 * likely >= 9 * (held - named_);
+  }
+
   std::span<const std::uint8_t> bytes_;
   std::size_t named_;
   std::size_t count_;

@@ -118,6 +118,16 @@ TEST(StlAsFound, AWrongCountOfFacetsIsTold) {
                {"its header names 4294967295 facets, and it holds 2, which are shown; it may be truncated"});
 }
 
+// A checksum, a preview or padding may be as long as facets.
+TEST(StlAsFound, WhatIsAsLongAsFacetsNeedNotBeSome) {
+  const std::vector<std::string> remarks = {"100 bytes are behind its last facet: left out"};
+  expectSquare(BinarySquare{.behind = std::string(100, '\0')}.bytes(), remarks);
+  expectSquare(BinarySquare{.behind = std::string(100, 'x')}.bytes(), remarks);
+  std::string words;
+  while (words.size() < 100) words += "preview of the part; ";
+  expectSquare(BinarySquare{.behind = words.substr(0, 100)}.bytes(), remarks);
+}
+
 TEST(StlAsFound, FacetsThatAreNowhereAreLeftOut) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   BinarySquare square{.count = 3};

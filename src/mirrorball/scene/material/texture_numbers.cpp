@@ -143,6 +143,22 @@ bool isGrey(const SharedPicture& picture) {
   return true;
 }
 
+bool looksLikeNormals(const SharedPicture& picture) {
+  constexpr float kLeastColor = 16.0f / 255.0f, kLengthError = 0.1f, kLeastZ = 0.5f;
+  const float zero = findNormalZero(picture);
+  std::size_t with_color = 0, normals = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const glm::vec3 texel(picture.at(x, y));
+      const auto [least, greatest] = std::minmax({texel.x, texel.y, texel.z});
+      if (greatest - least < kLeastColor) continue;
+      ++with_color;
+      const glm::vec3 normal = formula::decodedNormal(texel, zero);
+      normals += std::abs(glm::length(normal) - 1.0f) < kLengthError && normal.z > kLeastZ ? 1 : 0;
+    }
+  return 2 * normals > with_color;
+}
+
 Image decodedNormals(const SharedPicture& map, float zero) {
   Image normals = Image::withoutValues(map.width(), map.height(), 3);
   for (int y = 0; y < map.height(); ++y)

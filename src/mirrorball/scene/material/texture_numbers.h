@@ -26,6 +26,11 @@ Result<std::vector<std::string>> setTexels(Texels texels, TextureUse use, Textur
 /// Whether all texels are grey, as those of heights are and hardly any normals.
 bool isGrey(const SharedPicture& picture);
 
+/// Whether a picture of which that is not known is a normal map: most of the texels that have a colour are unit vectors
+/// that lean by less than 60° from the surface's. Texels that are nearly grey say nothing: a JPEG of heights has
+/// others, and what lies beside the charts of a map is black.
+bool looksLikeNormals(const SharedPicture& picture);
+
 /// The normals of a map as signed numbers of any length: 3 channels.
 Image decodedNormals(const SharedPicture& map, float zero);
 

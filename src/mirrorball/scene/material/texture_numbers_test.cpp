@@ -133,6 +133,23 @@ TEST(TextureNumbers, GreyNormalsAreTold) {
   EXPECT_THAT(*setTexels(codes(2, {90, 90, 90}), TextureUse::factors, texture), IsEmpty());
 }
 
+TEST(TextureNumbers, NormalsAreKnownByTheirLengthAndDirection) {
+  const auto looks = [](glm::ivec3 code) { return looksLikeNormals(SharedPicture(codes(4, code))); };
+  EXPECT_TRUE(looks({128, 128, 255}));
+  EXPECT_TRUE(looks({200, 128, 232}));
+  EXPECT_FALSE(looks({201, 200, 201})) << "a grey of length 1";
+  EXPECT_FALSE(looks({150, 100, 60})) << "wood";
+  EXPECT_FALSE(looks({255, 0, 0}));
+  EXPECT_FALSE(looks({0, 0, 0}));
+  EXPECT_FALSE(looksLikeNormals(SharedPicture()));
+  EXPECT_TRUE(looksLikeNormals(SharedPicture(numbers(0.5f, halved))));
+  EXPECT_TRUE(looksLikeNormals(SharedPicture(numbers(0.5f, signedNumbers))));
+  Image8 charts = codes(4, {0, 0, 0});
+  charts.texel(1, 1)[0] = charts.texel(1, 1)[1] = 128;
+  charts.texel(1, 1)[2] = 255;
+  EXPECT_TRUE(looksLikeNormals(SharedPicture(charts))) << "black lies beside the charts";
+}
+
 TEST(TextureNumbers, NormalsAreDecodedToThreeSignedNumbers) {
   const Image decoded = decodedNormals(numbers(0.5f, halved), 127.5f);
   EXPECT_EQ(decoded.channels(), 3);

@@ -237,7 +237,22 @@ TEST_F(MtlFolderTest, APictureOfOpacitiesIsTheAlphaOfTheColours) {
   EXPECT_EQ(twice.materials.at(0).alpha_mode, AlphaMode::opaque) << "the picture has no alpha";
 }
 
-TEST_F(MtlFolderTest, BumpsAreHeightsIfTheyAreGreyAndElseNormals) {
+TEST_F(MtlFolderTest, OpacitiesStayWhereTheColoursCannotBeRead) {
+  write("broken.png", "\x89PNG\r\n\x1a\nand no more");
+  writePicture("mask.ppm", {255, 255, 255, 0, 0, 0});
+  const Scene scene = load("newmtl a\nKd 1 0 0\nmap_Kd broken.png\nmap_d mask.ppm\n");
+  EXPECT_THAT(scene.textures.at(0).image.samples(), ElementsAre(255, 255, 255, 255, 255, 255, 255, 0));
+  EXPECT_EQ(scene.materials.at(0).alpha_mode, AlphaMode::mask);
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("'broken.png'")));
+}
+
+TEST_F(MtlFolderTest, WhatIsOddInAPictureIsToldOnce) {
+  write("broken.png", "\x89PNG\r\n\x1a\nand no more");
+  const Scene scene = load("newmtl a\nmap_Kd broken.png\nmap_Pr broken.png\nmap_Ke broken.png\n");
+  EXPECT_THAT(scene.warnings, SizeIs(1));
+}
+
+TEST_F(MtlFolderTest, BumpsAreHeightsUnlessTheyLookLikeNormals) {
   writePicture("heights.ppm", {0, 0, 0, 102, 102, 102, 204, 204, 204, 102, 102, 102});
   const Scene bumpy = load("newmtl a\nmap_Bump -bm 2 heights.ppm\n");
   const Texture& texture = bumpy.textures.at(std::size_t(bumpy.materials.at(0).normal_map.texture));
@@ -251,6 +266,14 @@ TEST_F(MtlFolderTest, BumpsAreHeightsIfTheyAreGreyAndElseNormals) {
   const Scene normals = load("newmtl a\nbump normals.ppm\n");
   EXPECT_EQ(normals.textures.at(0).image.texel(1, 0)[0], 200);
   EXPECT_THAT(normals.warnings, ElementsAre(HasSubstr("it is read as a normal map")));
+  // Wood between black and a light grey.
+  writePicture("wood.ppm", {0, 0, 0, 200, 70, 30, 204, 204, 204, 200, 70, 30});
+  const Scene wood = load("newmtl a\nmap_Bump wood.ppm\n");
+  const glm::vec3 of_wood(wood.textures.at(0).image.at(1, 0));
+  EXPECT_NEAR(of_wood.x / of_wood.z, -0.01f * 0.8f / 0.5f, 1e-5f);
+  const glm::vec3 beside(wood.textures[0].image.at(0, 0));
+  EXPECT_NEAR(beside.x, 0.0f, 1e-6f);
+  EXPECT_THAT(wood.warnings, ElementsAre(HasSubstr("its luma is read as heights")));
   const Scene named = load("newmtl a\nnorm -bm 0.5 normals.ppm\nbump heights.ppm\n");
   EXPECT_EQ(named.materials.at(0).normal_scale, 0.5f);
   EXPECT_THAT(named.warnings, ElementsAre(HasSubstr("'bump' is left out")));

@@ -22,6 +22,9 @@ TextureSlot transformed(const MtlMap& map, int texture) {
   return slot;
 }
 
+/// Rec. 709's luma.
+float lumaOf(glm::vec4 texel) { return 0.2126f * texel.r + 0.7152f * texel.g + 0.0722f * texel.b; }
+
 float pickOpacity(glm::vec4 texel, char channel, bool has_alpha) {
   switch (channel) {
     case 'r':
@@ -32,8 +35,8 @@ float pickOpacity(glm::vec4 texel, char channel, bool has_alpha) {
       return texel.b;
     case 'm':
       return texel.a;
-    default:  // as it is by itself: Rec. 709's luma of what has no alpha
-      return has_alpha && channel != 'l' ? texel.a : 0.2126f * texel.r + 0.7152f * texel.g + 0.0722f * texel.b;
+    default:  // as it is by itself
+      return has_alpha && channel != 'l' ? texel.a : lumaOf(texel);
   }
 }
 
@@ -68,7 +71,8 @@ TextureSlot NamedPictures::normals(const MtlMap& map) { return add(map, Reading:
 TextureSlot NamedPictures::heights(const MtlMap& map) { return add(map, Reading::heights); }
 
 void NamedPictures::warn(const MtlMap& map, const std::string& what) {
-  scene_.warnings.push_back("'" + excerpt(map.readings[0]) + "': " + what);
+  std::string warning = "'" + excerpt(map.readings[0]) + "': " + what;
+  if (told_.insert(warning).second) scene_.warnings.push_back(std::move(warning));
 }
 
 std::span<const std::uint8_t> NamedPictures::read(const MtlMap& map) {
@@ -127,11 +131,15 @@ void NamedPictures::decode() {
   leaveOutTextures(scene_, is_lost);
 }
 
-Result<void> NamedPictures::fill(const Pending& pending, Result<Texels> texels, Result<Texels>* opacity,
-                                 Texture& texture) {
+Result<void> NamedPictures::fill(Pending pending, Result<Texels> texels, Result<Texels>* opacity, Texture& texture) {
   TextureUse use = TextureUse::factors;
   if (pending.reading == Reading::light) use = TextureUse::light;
   if (pending.reading == Reading::normals) use = TextureUse::normals;
+  if (!texels && opacity != nullptr && *opacity) {
+    warn(*pending.map, texels.error().message + "; the material goes without it");
+    texels = Image8(1, 1, 4, 255);
+    pending.bytes = {};
+  }
   MIRRORBALL_TRY(read, std::move(texels));
   MIRRORBALL_TRY(changes, setTexels(std::move(read), use, texture));
   for (const std::string& change : changes) warn(*pending.map, change);
@@ -144,14 +152,16 @@ Result<void> NamedPictures::fill(const Pending& pending, Result<Texels> texels, 
 }
 
 Result<void> NamedPictures::fillFromHeights(const MtlMap& map, Texture& texture) {
-  if (!isGrey(texture.image)) {
-    warn(map, "has colours, as normals have and heights have not: it is read as a normal map");
+  if (looksLikeNormals(texture.image)) {
+    warn(map, "holds unit vectors, as normals are and heights are not: it is read as a normal map");
     return {};
   }
+  if (!isGrey(texture.image))
+    warn(map, "has colours, though no normals: its luma is read as heights (for normals: norm FILE)");
   const SharedPicture& picture = texture.image;
   Image heights(picture.width(), picture.height(), 1);
   for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) *heights.texel(x, y) = picture.at(x, y).r;
+    for (int x = 0; x < picture.width(); ++x) *heights.texel(x, y) = lumaOf(picture.at(x, y));
   MIRRORBALL_TRY_VOID(named_.files().budget().take(std::uint64_t{4} * sizeof(float) * heights.texelCount()));
   MIRRORBALL_TRY(normals, normalsFromHeights(heights, {.edges = map.is_clamped ? MapEdges::clamped : MapEdges::tiled,
                                                        .scale = kHeightOfBumps * map.strength}));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -34,7 +35,8 @@ class NamedPictures {
   TextureSlot normals(const MtlMap& map);
 
   /// Heights, shown by the normals that they have where 1 is 0.01 texture widths above 0, times MtlMap::strength: the
-  /// format names no length. A picture that is not grey holds normals, whatever its statement says.
+  /// format names no length. A picture that looks like normals is read as such, whatever its statement says; of another
+  /// one with colours the luma counts.
   TextureSlot heights(const MtlMap& map);
 
   /// Reads them all into Scene::textures, and takes those out that cannot be read (material/lost_textures.h). To be
@@ -54,12 +56,13 @@ class NamedPictures {
   TextureSlot add(const MtlMap& map, Reading reading, const MtlMap* opacity = nullptr);
   std::span<const std::uint8_t> read(const MtlMap& map);
   void warn(const MtlMap& map, const std::string& what);
-  Result<void> fill(const Pending& pending, Result<Texels> texels, Result<Texels>* opacity, Texture& texture);
+  Result<void> fill(Pending pending, Result<Texels> texels, Result<Texels>* opacity, Texture& texture);
   Result<void> fillFromHeights(const MtlMap& map, Texture& texture);
   Result<void> addOpacity(const Pending& pending, Texels texels, Texture& texture);
 
   NamedFiles& named_;
   Scene& scene_;
+  std::set<std::string> told_;                                              // each remark once, however many use it
   std::map<std::vector<std::string>, std::span<const std::uint8_t>> read_;  // by what names them
   using Key = std::tuple<const std::uint8_t*, const std::uint8_t*, Reading, bool, float, char>;
   std::map<Key, int> textures_;

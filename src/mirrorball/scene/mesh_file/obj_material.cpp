@@ -58,10 +58,14 @@ class MaterialConverter {
 
   /// Says of pictures how their opacities are shown.
   void chooseAlphaModes() {
+    std::map<int, AlphaMode> modes;  // of textures, which thousands of materials may share
     for (const std::size_t index : with_opacity_picture_) {
       Material& material = scene_.materials[index];
-      if (material.alpha_mode == AlphaMode::opaque && material.base_color_map.texture >= 0)
-        material.alpha_mode = chooseAlphaMode(scene_.textures[std::size_t(material.base_color_map.texture)].image);
+      const int texture = material.base_color_map.texture;
+      if (material.alpha_mode != AlphaMode::opaque || texture < 0) continue;
+      const auto [mode, is_new] = modes.try_emplace(texture, AlphaMode::opaque);
+      if (is_new) mode->second = chooseAlphaMode(scene_.textures[std::size_t(texture)].image);
+      material.alpha_mode = mode->second;
     }
   }
 

@@ -41,8 +41,8 @@ struct PlyContent {
 /// corners, triangle strips.
 ///
 /// returns  colours, of vertices and faces, from integers as sRGB, of floats as linear; codes of 255 in a wider type
-///          as those (ChannelRange); each element's for itself, and alpha by its own type. Triangles that name no vertex, or one that is nowhere, are left out and
-///          counted
+///          as those (ChannelRange); each element's for itself, and alpha by its own type. Triangles that name no
+///          vertex, or one that is nowhere, are left out and counted
 /// errors   bad_file (the line or byte is named; a list or number that is none, a file that is truncated); too_large
 Result<PlyContent> readPlyContent(std::span<const std::uint8_t> file, const PlyHeader& header);
 

@@ -85,11 +85,22 @@ Scene builtinScene(std::size_t index) {
 /// A kind of file.
 struct ModelFormat {
   std::string_view extension;
-  std::string_view name;   ///< with its article
-  std::string_view magic;  ///< the first bytes; empty where they do not tell
+  std::string_view name;                      ///< with its article
+  bool (*isBegunBy)(std::string_view begin);  ///< by the first bytes, whatever the name says; nullptr: they do not tell
   Result<Scene> (*decode)(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                           const ModelLoadOptions& options);
 };
+
+/// Binary glTF of a version that there is: a text may begin with the word.
+bool isBinaryGltf(std::string_view begin) {
+  constexpr std::string_view kMagic = "glTF";
+  if (!begin.starts_with(kMagic)) return false;
+  const std::string_view version = begin.substr(kMagic.size(), 4);
+  return version == std::string_view("\1\0\0\0", 4) || version == std::string_view("\2\0\0\0", 4);
+}
+
+/// The first line of a PLY is that word alone.
+bool isPly(std::string_view begin) { return begin.starts_with("ply\n") || begin.starts_with("ply\r"); }
 
 /// A format whose files name no others.
 template <Result<Scene> (*decode)(std::span<const std::uint8_t>, const std::filesystem::path&)>
@@ -98,11 +109,11 @@ Result<Scene> withoutOptions(std::span<const std::uint8_t> bytes, const std::fil
   return decode(bytes, path);
 }
 
-constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", decodeGltf},
-                                               {"gltf", "a glTF", "", decodeGltf},
-                                               {"obj", "an OBJ", "", decodeObj},
-                                               {"ply", "a PLY", "ply", decodePly},
-                                               {"stl", "an STL", "", withoutOptions<decodeStl>}}};
+constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", isBinaryGltf, decodeGltf},
+                                               {"gltf", "a glTF", nullptr, decodeGltf},
+                                               {"obj", "an OBJ", nullptr, decodeObj},
+                                               {"ply", "a PLY", isPly, decodePly},
+                                               {"stl", "an STL", nullptr, withoutOptions<decodeStl>}}};
 
 /// The first bytes of a file: as many as tell what it is.
 std::vector<std::uint8_t> firstBytes(const std::string& path) {
@@ -123,7 +134,7 @@ const ModelFormat* formatOfName(const std::filesystem::path& path) {
 const ModelFormat* formatBegunBy(std::span<const std::uint8_t> begin) {
   const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
   for (const ModelFormat& format : kFormats)
-    if (!format.magic.empty() && text.starts_with(format.magic)) return &format;
+    if (format.isBegunBy != nullptr && format.isBegunBy(text)) return &format;
   return nullptr;
 }
 

@@ -158,6 +158,23 @@ TEST(LoadModel, TheFirstBytesCountMoreThanTheName) {
   EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
 }
 
+TEST(LoadModel, WordsThatAFileBeginsWithDoNotCountMoreThanItsName) {
+  const std::string obj = " by hand\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const std::string word : {"ply", "plywood", "glTF", "glTF viewer"}) {
+    const std::string path = ::testing::TempDir() + "begins_with_a_word.obj";
+    const std::string text = word + obj;
+    ASSERT_TRUE(writeFile(path, Bytes(text.begin(), text.end())));
+    const Result<Scene> scene = loadModel(path);
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u) << word;
+    EXPECT_FALSE(isModel(Bytes(text.begin(), text.end()))) << word;
+  }
+  const auto begins = [](std::string_view text) { return isModel(Bytes(text.begin(), text.end())); };
+  EXPECT_TRUE(begins("ply\r\nformat"));
+  EXPECT_TRUE(begins({"glTF\1\0\0\0", 8})) << "it is refused by its version, and named";
+  EXPECT_FALSE(begins({"glTF\2\0", 6}));
+}
+
 TEST(LoadModel, TheFilesNameStandsInFrontOfAnErrorOnce) {
   constexpr std::pair<const char*, const char*> kDamaged[] = {
       {"bad.ply", "ply\nformat ascii 1.0\n"},

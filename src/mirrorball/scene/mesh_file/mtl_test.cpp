@@ -237,6 +237,28 @@ TEST_F(MtlFolderTest, APictureOfOpacitiesIsTheAlphaOfTheColours) {
   EXPECT_EQ(twice.materials.at(0).alpha_mode, AlphaMode::opaque) << "the picture has no alpha";
 }
 
+TEST_F(MtlFolderTest, AFinerPictureOfOpacitiesKeepsItsTexels) {
+  writePicture("color.ppm", {10, 20, 30});
+  writePicture("mask.ppm", {255, 255, 255, 0, 0, 0, 255, 255, 255});
+  const Scene scene = load("newmtl a\nmap_Kd color.ppm\nmap_d mask.ppm\n");
+  EXPECT_THAT(scene.textures.at(0).image.samples(), ElementsAre(10, 20, 30, 255, 10, 20, 30, 0, 10, 20, 30, 255));
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  writePicture("two.ppm", {0, 0, 0, 200, 200, 200});
+  writePicture("four.ppm", {255, 255, 255, 0, 0, 0, 255, 255, 255, 0, 0, 0});
+  const Scene between = load("newmtl a\nmap_Kd two.ppm\nmap_d four.ppm\n");
+  EXPECT_THAT(between.textures.at(0).image.samples(),
+              ElementsAre(0, 0, 0, 255, 50, 50, 50, 0, 150, 150, 150, 255, 200, 200, 200, 0));
+}
+
+TEST_F(MtlFolderTest, OpacitiesLieWhereTheColoursDo) {
+  writePicture("color.ppm", {10, 20, 30});
+  writePicture("mask.ppm", {255, 255, 255});
+  const Scene scene = load("newmtl a\nmap_Kd -s 2 2 1 color.ppm\nmap_d mask.ppm\n");
+  EXPECT_EQ(scene.materials.at(0).base_color_map.scale, glm::vec2(2));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("'mask.ppm': is placed by other -s and -o than the colours")));
+  EXPECT_THAT(load("newmtl a\nmap_Kd -s 2 2 1 color.ppm\nmap_d -s 2 2 1 mask.ppm\n").warnings, IsEmpty());
+}
+
 TEST_F(MtlFolderTest, OpacitiesStayWhereTheColoursCannotBeRead) {
   write("broken.png", "\x89PNG\r\n\x1a\nand no more");
   writePicture("mask.ppm", {255, 255, 255, 0, 0, 0});

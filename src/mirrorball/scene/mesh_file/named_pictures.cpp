@@ -5,6 +5,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/height_field/slopes.h"
+#include "mirrorball/image/resize.h"
 #include "mirrorball/scene/material/lost_textures.h"
 #include "mirrorball/scene/picture_decoding.h"
 
@@ -47,11 +48,33 @@ bool hasAlpha(const SharedPicture& picture) {
   return false;
 }
 
+std::uint8_t codeOf(float fraction) {
+  return static_cast<std::uint8_t>(std::clamp(fraction, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
 void setAlpha(SharedPicture& picture, int x, int y, float alpha) {
   if (picture.hasNumbers())
     picture.editNumbers().texel(x, y)[3] = alpha;
   else
-    picture.edit().texel(x, y)[3] = static_cast<std::uint8_t>(std::clamp(alpha, 0.0f, 1.0f) * 255.0f + 0.5f);
+    picture.edit().texel(x, y)[3] = codeOf(alpha);
+}
+
+/// Brings a picture to a size that is not smaller, in its own codes, as a texture's filter does where it is near.
+///
+/// errors   too_large
+Result<void> enlarge(SharedPicture& picture, glm::ivec2 size, MemoryBudget& budget) {
+  if (size == glm::ivec2(picture.width(), picture.height())) return {};
+  MIRRORBALL_TRY_VOID(
+      budget.take(std::uint64_t{4} * sizeof(float) * static_cast<unsigned>(size.x) * static_cast<unsigned>(size.y)));
+  Image numbers = resized(picture.hasNumbers() ? picture.numbers() : fractionsFromCodes(picture.codes()), size);
+  if (picture.hasNumbers()) {
+    picture = std::move(numbers);
+    return {};
+  }
+  Image8 codes(size.x, size.y, 4, 0);
+  std::transform(numbers.samples().begin(), numbers.samples().end(), codes.samples().begin(), codeOf);
+  picture = std::move(codes);
+  return {};
 }
 
 }  // namespace
@@ -93,6 +116,8 @@ TextureSlot NamedPictures::add(const MtlMap& map, Reading reading, const MtlMap*
   if (bytes.empty() && of_opacity.empty()) return {};
   // Without colours the opacities' own transform counts.
   const MtlMap& placed = bytes.empty() ? *opacity : map;
+  if (!bytes.empty() && !of_opacity.empty() && (map.scale != opacity->scale || map.offset != opacity->offset))
+    warn(*opacity, "is placed by other -s and -o than the colours, and is shown where those are");
   const Key key(bytes.data(), of_opacity.data(), reading, placed.is_clamped,
                 reading == Reading::heights ? map.strength : 0.0f, opacity != nullptr ? opacity->channel : '\0');
   const auto [found, is_first] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
@@ -185,6 +210,8 @@ Result<void> NamedPictures::addOpacity(const Pending& pending, Texels texels, Te
     texture.image = Image8(alpha.width(), alpha.height(), 4, 255);
   }
   SharedPicture& shown = texture.image;
+  const glm::ivec2 larger(std::max(shown.width(), alpha.width()), std::max(shown.height(), alpha.height()));
+  MIRRORBALL_TRY_VOID(enlarge(shown, larger, named_.files().budget()));
   for (int y = 0; y < shown.height(); ++y)
     for (int x = 0; x < shown.width(); ++x) {
       const auto at = [](int place, int size, int of) { return int((2LL * place + 1) * of / (2LL * size)); };

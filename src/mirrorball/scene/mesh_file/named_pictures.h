@@ -26,7 +26,8 @@ class NamedPictures {
   /// A picture of base colours or of light.
   TextureSlot colors(const MtlMap& map, TextureUse use);
 
-  /// Base colours with a picture of opacities in their alpha; either may be absent, not both.
+  /// Base colours with a picture of opacities in their alpha, in the larger of their sizes; either may be absent, not
+  /// both. The colours say where both are.
   TextureSlot colorsWithOpacity(const MtlMap& colors, const MtlMap& opacity);
 
   /// Numbers from 0 to 1, one a texel.

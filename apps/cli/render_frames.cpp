@@ -92,7 +92,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
   const glm::vec3 axis = settings.camera.target ? still_bounds.inScene(*settings.camera.target) : still_bounds.center;
   return renderEach(renderer, "turntable", files, clock, [&](std::size_t frame) -> Result<FrameSettings> {
     const float angle_deg = angleOf(frame, files.paths.size());
-    const FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
+    const FrameSettings of_frame = turned(settings, turntable.turn, angle_deg, still_bounds);
     if (turntable.turn != Turn::object) return of_frame;
     MIRRORBALL_TRY_VOID(renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg)));
     return standingStill(of_frame, still, still_bounds, renderer.bounds());
@@ -110,9 +110,9 @@ Result<void> renderAnimation(Renderer& renderer, const FrameSettings& settings, 
     MIRRORBALL_TRY(pose, withName(request.scene.model, frames.pose(frame)));
     MIRRORBALL_TRY(scene, preparedPose(std::move(pose), request.materials, settings, clock));
     MIRRORBALL_TRY_VOID(clock.time("GL: upload, compile", [&] { return renderer.setScene(std::move(scene)); }));
-    const FrameSettings of_frame =
-        request.turns ? turned(frames.settings(), request.turntable.turn, angleOf(frame, files.paths.size()))
-                      : frames.settings();
+    const FrameSettings of_frame = request.turns ? turned(frames.settings(), request.turntable.turn,
+                                                          angleOf(frame, files.paths.size()), frames.bounds())
+                                                 : frames.settings();
     return frames.standingStill(of_frame, renderer.bounds());
   });
 }

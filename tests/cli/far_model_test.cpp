@@ -166,6 +166,13 @@ TEST_F(FarModelTest, PlacesOnTheCommandLineAreInItsCoordinates) {
              "--material gold --proxy sphere:4400000.125,-3100000.5,2000000.25,5 "
              "--captured-at 4400001.125,-3100000.5,2000000.25",
              "--material gold --proxy sphere:0,0,0,5 --captured-at 1,0,0");
+  // A light turns with the camera, about the middle that it looks at.
+  for (const std::string model : {"far", "near"})
+    draw(model + ".obj",
+         "--frames 3 --turn model --camera 20,10,4 --light " +
+             std::string(model == "far" ? "4400001.125,-3099997.5,2000002.25" : "1,3,2") + ",2,1,0.5",
+         model + "_%d.exr");
+  succeed("compare far_1.exr near_1.exr --threshold rmse=0.001");
   succeed("capture far.obj --at 4400000.125,-3098500.5,2000000.25 -e smooth.exr --size 16 --quiet -o far.exr");
   succeed("capture near.obj --at 0,1500,0 -e smooth.exr --size 16 --quiet -o near.exr");
   succeed("compare far.exr near.exr --threshold rmse=0.001");

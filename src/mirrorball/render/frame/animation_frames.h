@@ -31,6 +31,8 @@ class AnimationFrames {
 
   /// Of the first picture: with a camera that holds all of them.
   const FrameSettings& settings() const { return settings_; }
+  /// Of what that camera holds.
+  const BoundingSphere& bounds() const { return bounds_; }
 
   /// Settings of a picture whose camera is told as settings()' is, for its pose.
   ///

@@ -58,7 +58,7 @@ const auto kTurntableOptions = std::to_array<Option<Turntable>>({
 
 std::span<const Option<Turntable>> turntableOptions() { return kTurntableOptions; }
 
-FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
+FrameSettings turned(FrameSettings settings, Turn what, float angle_deg, const BoundingSphere& bounds) {
   switch (what) {
     case Turn::camera:
       settings.camera.azimuth_deg += angle_deg;
@@ -72,7 +72,7 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
       // All else turned the other way looks the same, and leaves the scene as it is.
       settings.camera.azimuth_deg -= angle_deg;
       settings.env_rotation_deg.x -= angle_deg;
-      const glm::dvec3 axis = settings.camera.target.value_or(glm::dvec3(0.0));
+      const glm::dvec3 axis = settings.camera.target.value_or(bounds.inFile(bounds.center));
       const glm::mat4 back = glm::rotate(glm::mat4(1.0f), -glm::radians(angle_deg), glm::vec3(0, 1, 0));
       for (PointLight& light : settings.lights)
         light.position = axis + glm::dvec3(back * glm::vec4(light.position - axis, 0.0f));

@@ -27,8 +27,9 @@ std::span<const Option<Turntable>> turntableOptions();
 ///
 /// An object goes round by orbited(), and nothing else moves.
 ///
-/// settings    with a target and a distance (framed(), scene/camera/framing.h), so that all pictures have the same
-FrameSettings turned(FrameSettings settings, Turn what, float angle_deg);
+/// settings    framed (framed(), scene/camera/framing.h), so that all pictures have the same target and distance
+/// bounds      of what the camera stands before: its middle is the target of settings that have none
+FrameSettings turned(FrameSettings settings, Turn what, float angle_deg, const BoundingSphere& bounds);
 
 /// Whether the model's shadow turns about its foot (CameraOptions::ground_light_turns): with the environment, or since
 /// the model turns, or an object of it, in light that stands still.

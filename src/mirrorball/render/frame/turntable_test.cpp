@@ -18,10 +18,10 @@ FrameSettings settingsOf(float azimuth_deg) {
 }
 
 TEST(Turned, TheCameraOrTheEnvironmentAlone) {
-  const FrameSettings camera = turned(settingsOf(20.0f), Turn::camera, 90.0f);
+  const FrameSettings camera = turned(settingsOf(20.0f), Turn::camera, 90.0f, BoundingSphere{});
   EXPECT_EQ(camera.camera.azimuth_deg, 110.0f);
   EXPECT_EQ(camera.env_rotation_deg.x, 30.0f);
-  const FrameSettings environment = turned(settingsOf(20.0f), Turn::environment, 90.0f);
+  const FrameSettings environment = turned(settingsOf(20.0f), Turn::environment, 90.0f, BoundingSphere{});
   EXPECT_EQ(environment.camera.azimuth_deg, 20.0f);
   EXPECT_FLOAT_EQ(environment.env_rotation_deg.x, 120.0f);
   EXPECT_EQ(environment.lights[0].position, settingsOf(20.0f).lights[0].position);
@@ -30,10 +30,21 @@ TEST(Turned, TheCameraOrTheEnvironmentAlone) {
 // A model that turns by 90°, +Z towards +X, shows a camera on +Z what a camera on −X saw of it. The environment and the
 // lights stay where the camera has them: the light that stood 2 towards the camera does so still.
 TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
-  const FrameSettings model = turned(settingsOf(0.0f), Turn::model, 90.0f);
+  const FrameSettings model = turned(settingsOf(0.0f), Turn::model, 90.0f, BoundingSphere{});
   EXPECT_EQ(model.camera.azimuth_deg, -90.0f);
   EXPECT_FLOAT_EQ(model.env_rotation_deg.x, -60.0f);
   EXPECT_LT(glm::distance(model.lights[0].position, glm::dvec3(8, 5, 0)), 1e-5);
+}
+
+// A camera of which the distance alone is given looks at the model's middle, which may be far from the file's origin.
+TEST(Turned, TheModelAboutItsMiddleWithoutATarget) {
+  FrameSettings settings = settingsOf(0.0f);
+  settings.camera.target.reset();
+  settings.camera.distance = 4.0f;
+  settings.lights = {{.position = {4400010.0, 5.0, 2.0}}};
+  const BoundingSphere bounds{.center = {10, 0, 0}, .radius = 1.0f, .origin = {4400000.0, 0.0, 0.0}};
+  const FrameSettings model = turned(settings, Turn::model, 90.0f, bounds);
+  EXPECT_LT(glm::distance(model.lights[0].position, glm::dvec3(4400008, 5, 0)), 1e-5);
 }
 
 TEST(Turned, TheShadowOfAllButTheCamera) {

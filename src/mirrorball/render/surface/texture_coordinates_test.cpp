@@ -173,8 +173,8 @@ TEST_P(TexgenTest, ATextureMatrixThatTurnsIsATurnedEnvironmentAlsoOnATurningObje
     by_option.env_rotation_deg = {65.0f, 30.0f, -15.0f};
     by_matrix.texture_matrix = glm::mat4(by_option.environmentFromWorld());
     for (const float angle_deg : {0.0f, 130.0f}) {
-      const Image expected = drawn(mirrorSphere(), turned(by_option, Turn::model, angle_deg));
-      const Image found = drawn(mirrorSphere(), turned(by_matrix, Turn::model, angle_deg));
+      const Image expected = drawn(mirrorSphere(), turned(by_option, Turn::model, angle_deg, {}));
+      const Image found = drawn(mirrorSphere(), turned(by_matrix, Turn::model, angle_deg, {}));
       EXPECT_LT(greatestDifference(expected, found), kSame) << int(texgen) << " at " << angle_deg;
     }
   }

@@ -130,8 +130,8 @@ Result<void> drawTurn(Renderer& renderer, FrameSettings frame, const std::vector
   frame.camera = framed(renderer.scene(), renderer.bounds(), frame.camera, aspect, FramingOf::whole_turn);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const float angle_deg = 360.0f * static_cast<float>(i) / static_cast<float>(paths.size());
-    MIRRORBALL_TRY_VOID(
-        draw(renderer, turned(frame, Turn::camera, angle_deg), paths[i], ofPicture(i, paths.size(), progress)));
+    MIRRORBALL_TRY_VOID(draw(renderer, turned(frame, Turn::camera, angle_deg, renderer.bounds()), paths[i],
+                             ofPicture(i, paths.size(), progress)));
   }
   return {};
 }

@@ -265,6 +265,25 @@ TEST(ModelOrigin, IsGivenBackByWhatIsWritten) {
   EXPECT_LT(glm::distance(again.origin, scene.origin), 1.0);
 }
 
+// Whole numbers of 64 bits end there.
+TEST(ModelOrigin, OfAPlaceBeyondWholeNumbersIsLeftOutOfWhatIsWritten) {
+  Scene scene = loaded("beyond.obj", objAt(kAway));
+  for (const double away : {9e18, -9e18, 1e19, -1e29}) {
+    scene.origin = glm::dvec3(0.0, away, 0.0);
+    const auto written = encodeGlb(scene);
+    ASSERT_TRUE(written);
+    const Scene again = loaded("beyond.glb", written->bytes);
+    if (std::abs(away) < 1e19) {
+      EXPECT_THAT(written->left_out, IsEmpty());
+      EXPECT_EQ(again.origin.y, away);
+    } else {
+      EXPECT_THAT(written->left_out,
+                  ElementsAre(HasSubstr("is left out, as all beyond 9e+18 are: it stands about 0,0,0")));
+      EXPECT_EQ(again.origin, glm::dvec3(0.0));
+    }
+  }
+}
+
 TEST(ModelOrigin, MovesWhatHasNoNodesToo) {
   Scene scene = loaded("moved.obj", objAt(kAway));
   scene.rig = {};

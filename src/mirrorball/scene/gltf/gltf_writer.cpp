@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/glb_builder.h"
 #include "mirrorball/scene/gltf/gltf_camera.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 #include "mirrorball/scene/gltf/gltf_light.h"
 #include "mirrorball/scene/gltf/gltf_material_writer.h"
+#include "mirrorball/scene/place_text.h"
 
 namespace mirrorball {
 namespace gltf {
@@ -48,7 +50,7 @@ class SceneWriter {
     writeVariants();
     writeCameras();
     if (camera) writePicturesCamera(*camera);
-    writeRoots();
+    writeRoots(encoded.left_out);
     file_.json["scene"] = 0;
     MIRRORBALL_TRY_VOID(writeMaterials(scene_, file_, encoded.left_out));
     if (!scene_.rig.animations.empty())
@@ -132,19 +134,30 @@ class SceneWriter {
 
   /// Makes nodes without a parent of all, or of two that bring them back to where the scene's file had them: the
   /// numbers written here are whole, or floats.
-  void writeRoots() {
+  void writeRoots(std::vector<std::string>& left_out) {
     OutputJson nodes = OutputJson::array();
     for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) nodes.push_back(i);
-    const glm::dvec3 whole = glm::round(scene_.origin);
     const auto moveBy = [&](OutputJson translation) {
       const std::size_t parent = file_.append(
           "nodes", {{"name", "Origin"}, {"translation", std::move(translation)}, {"children", std::move(nodes)}});
       nodes = OutputJson::array({parent});
     };
-    if (scene_.origin != whole) moveBy(componentsOf(glm::vec3(scene_.origin - whole)));
+    const glm::dvec3 origin = writtenOrigin(left_out);
+    const glm::dvec3 whole = glm::round(origin);
+    if (origin != whole) moveBy(componentsOf(glm::vec3(origin - whole)));
     if (whole != glm::dvec3(0.0))
       moveBy(OutputJson::array({std::int64_t(whole.x), std::int64_t(whole.y), std::int64_t(whole.z)}));
     file_.append("scenes", {{"nodes", std::move(nodes)}});
+  }
+
+  /// The scene's origin, or 0 where it is beyond whole numbers of 64 bits, which end at 9.22e18.
+  glm::dvec3 writtenOrigin(std::vector<std::string>& left_out) const {
+    constexpr double kLargest = 9e18;
+    const glm::dvec3 origin = scene_.origin;
+    if (std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)}) <= kLargest) return origin;
+    left_out.push_back("its place in its file, " + writtenPlace(origin) + ", is left out, as all beyond " +
+                       formatNumber(kLargest) + " are: it stands about 0,0,0");
+    return glm::dvec3(0.0);
   }
 
   static OutputJson matrixOf(const glm::mat4& matrix) { return std::vector<float>(&matrix[0].x, &matrix[0].x + 16); }

@@ -19,7 +19,10 @@ namespace {
 /// unit is the metre. A power of two rounds nothing.
 float embreeFromWorld(const Scene& scene) {
   constexpr int kMost = 100;
-  return std::ldexp(1.0f, -std::clamp(std::ilogb(boundingSphere(scene).radius), -kMost, kMost));
+  const Box box = boundingBox(scene);
+  const glm::vec3 half = 0.5f * box.high - 0.5f * box.low;  // of numbers whose difference is beyond floats, too
+  const float largest = std::max({half.x, half.y, half.z});
+  return largest > 0.0f ? std::ldexp(1.0f, -std::clamp(std::ilogb(largest), -kMost, kMost)) : 1.0f;
 }
 
 /// A mesh's triangles where an instance puts them.

@@ -136,6 +136,17 @@ TEST_F(ModelCliTest, ModelsOfOtherProgramsAreShownAsTheyAreMeant) {
   succeed("render painted.ply" + view);
   EXPECT_LT(glm::length(colorAt(4) - glm::vec3(0, 1, 0)), 1e-3f);
 
+  // A scan of which a single number is above 1, by rounding and by light.
+  for (const auto& [brightest, note] :
+       {std::pair("1.0001", ""),
+        std::pair("1.5",
+                  "mirrorball: note: scan.obj: has colours of vertices from 0 to 1.5: they are cut to 0 to 1\n")}) {
+    write("scan.obj",
+          std::string("v -1 -1 0 ") + brightest + " 1 0\nv 1 -1 0 1 1 0\nv 1 1 0 1 1 0\nv -1 1 0 1 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(run("render scan.obj" + view).err, note);
+    EXPECT_LT(glm::length(colorAt(4) - glm::vec3(1, 1, 0)), 1e-3f) << brightest;
+  }
+
   write("cut.stl", std::string("SOLID a\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX -1 -1 0\nVERTEX 1 -1 0\nVERTEX 1 1 "
                                "0\nENDLOOP\nENDFACET\n"));
   EXPECT_EQ(run("render cut.stl" + view).err,

@@ -56,7 +56,7 @@ TEST_F(StandardStreamsTest, APanoramaThatIsReadByRowsMayToo) {
 TEST_F(StandardStreamsTest, WhatIsNoMapIsSaidOfStandardInput) {
   EXPECT_THAT(refuse(1, "info -", {.input = bytesOf("no map")}), HasSubstr("standard input: is not an image"));
   EXPECT_THAT(refuse(1, "info -", {.input = Bytes{}}), HasSubstr("standard input: is empty"));
-  EXPECT_THAT(refuse(1, "convert - --to cube -o out.exr", {.input = bytesOf("glTF, or so it seems")}),
+  EXPECT_THAT(refuse(1, "convert - --to cube -o out.exr", {.input = bytesOf(std::string("glTF\2\0\0\0", 8))}),
               HasSubstr("standard input: is a glTF model, no map; try `mirrorball render -`"));
 }
 

@@ -24,7 +24,7 @@ TextureSlot transformed(const MtlMap& map, int texture) {
 }
 
 /// Rec. 709's luma.
-float lumaOf(glm::vec4 texel) { return 0.2126f * texel.r + 0.7152f * texel.g + 0.0722f * texel.b; }
+float luma(glm::vec4 texel) { return 0.2126f * texel.r + 0.7152f * texel.g + 0.0722f * texel.b; }
 
 float pickOpacity(glm::vec4 texel, char channel, bool has_alpha) {
   switch (channel) {
@@ -37,7 +37,7 @@ float pickOpacity(glm::vec4 texel, char channel, bool has_alpha) {
     case 'm':
       return texel.a;
     default:  // as it is by itself
-      return has_alpha && channel != 'l' ? texel.a : lumaOf(texel);
+      return has_alpha && channel != 'l' ? texel.a : luma(texel);
   }
 }
 
@@ -48,7 +48,7 @@ bool hasAlpha(const SharedPicture& picture) {
   return false;
 }
 
-std::uint8_t codeOf(float fraction) {
+std::uint8_t toCode(float fraction) {
   return static_cast<std::uint8_t>(std::clamp(fraction, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
@@ -56,7 +56,7 @@ void setAlpha(SharedPicture& picture, int x, int y, float alpha) {
   if (picture.hasNumbers())
     picture.editNumbers().texel(x, y)[3] = alpha;
   else
-    picture.edit().texel(x, y)[3] = codeOf(alpha);
+    picture.edit().texel(x, y)[3] = toCode(alpha);
 }
 
 /// Brings a picture to a size that is not smaller, in its own codes, as a texture's filter does where it is near.
@@ -72,7 +72,7 @@ Result<void> enlarge(SharedPicture& picture, glm::ivec2 size, MemoryBudget& budg
     return {};
   }
   Image8 codes(size.x, size.y, 4, 0);
-  std::transform(numbers.samples().begin(), numbers.samples().end(), codes.samples().begin(), codeOf);
+  std::transform(numbers.samples().begin(), numbers.samples().end(), codes.samples().begin(), toCode);
   picture = std::move(codes);
   return {};
 }
@@ -186,7 +186,7 @@ Result<void> NamedPictures::fillFromHeights(const MtlMap& map, Texture& texture)
   const SharedPicture& picture = texture.image;
   Image heights(picture.width(), picture.height(), 1);
   for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) *heights.texel(x, y) = lumaOf(picture.at(x, y));
+    for (int x = 0; x < picture.width(); ++x) *heights.texel(x, y) = luma(picture.at(x, y));
   MIRRORBALL_TRY_VOID(named_.files().budget().take(std::uint64_t{4} * sizeof(float) * heights.texelCount()));
   MIRRORBALL_TRY(normals, normalsFromHeights(heights, {.edges = map.is_clamped ? MapEdges::clamped : MapEdges::tiled,
                                                        .scale = kHeightOfBumps * map.strength}));

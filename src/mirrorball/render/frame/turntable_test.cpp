@@ -36,7 +36,7 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
   EXPECT_LT(glm::distance(model.lights[0].position, glm::dvec3(8, 5, 0)), 1e-5);
 }
 
-// A camera of which the distance alone is given looks at the model's middle, which may be far from the file's origin.
+// A camera that has a distance and no target looks at the model's middle, which may be far from the file's origin.
 TEST(Turned, TheModelAboutItsMiddleWithoutATarget) {
   FrameSettings settings = settingsOf(0.0f);
   settings.camera.target.reset();

@@ -22,8 +22,10 @@ class ChannelRange {
     is_whole_ = is_whole_ && std::abs(number - std::round(number)) < kNearlyWhole;
   }
 
+  /// A few whole numbers just above 1 are more likely light: as codes, all of it would be nearly black.
   bool isOfCodes() const {
-    return is_whole_ && least_ >= 0.0f && greatest_ > 1.0f + kRounding && greatest_ < kGreatestCode + 0.5f;
+    constexpr float kLeastOfGreatest = 16.0f;
+    return is_whole_ && least_ >= 0.0f && greatest_ >= kLeastOfGreatest && greatest_ < kGreatestCode + 0.5f;
   }
 
   /// Whether it is beyond [0, 1] by more than rounding.

@@ -18,8 +18,8 @@ namespace mirrorball {
 namespace {
 
 using ::testing::ElementsAreArray;
-using ::testing::HasSubstr;
 using testing::encodedWebp;
+using ::testing::HasSubstr;
 
 constexpr float kLossless = 101.0f;
 

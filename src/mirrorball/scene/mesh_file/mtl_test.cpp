@@ -156,6 +156,7 @@ TEST_F(MtlFolderTest, ColoursThatAreOddAreToldOrLeftAlone) {
   const Scene rounded = load("newmtl a\nKd 1.000001 1 0.5\n");
   EXPECT_EQ(rounded.materials.at(0).base_color, glm::vec3(1, 1, 0.5f));
   EXPECT_THAT(rounded.warnings, IsEmpty());
+  EXPECT_EQ(material("Kd 2 1 0\n").base_color, material("Kd 1 1 0\n").base_color) << "no codes: nearly black";
   const Scene bright = load("newmtl a\nKd 1.2 0.5 0\n");
   EXPECT_EQ(bright.materials.at(0).base_color, glm::vec3(1, 0.5f, 0));
   EXPECT_THAT(bright.warnings, ElementsAre(HasSubstr("has a Kd of 1.2, beyond 1: it is cut to 1")));

@@ -136,7 +136,7 @@ std::optional<PhotoSphere> photoSphereIn(std::span<const std::uint8_t> bytes) {
 
 Result<Bytes> readEnds(const std::filesystem::path& path) {
   MIRRORBALL_TRY(file, FileReader::open(path));
-  Bytes bytes(std::min<std::uint64_t>(file.size(), 2 * kEnd_bytes));
+  Bytes bytes(static_cast<std::size_t>(std::min<std::uint64_t>(file.size(), 2 * kEnd_bytes)));
   const std::span<std::uint8_t> all(bytes);
   if (file.size() <= bytes.size()) {
     MIRRORBALL_TRY_VOID(file.readAt(0, all));

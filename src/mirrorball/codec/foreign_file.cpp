@@ -109,7 +109,6 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
 
 /// The beginning in small letters where it begins as a text of markup does; else nothing.
 std::string markupIn(std::string_view begin) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (begin.starts_with(kByteOrderMark)) begin.remove_prefix(kByteOrderMark.size());
   const std::size_t first = begin.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || begin[first] != '<') return {};

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_layers.h"
@@ -17,27 +16,15 @@
 #include "mirrorball/environment/cube/cube_edges.h"
 #include "mirrorball/environment/cube/face_reading.h"
 #include "mirrorball/environment/file/compass_heading.h"
+#include "mirrorball/environment/file/cube_files.h"
+#include "mirrorball/environment/file/cube_images.h"
 #include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/picture_meaning.h"
-#include "mirrorball/image/resize.h"
 
 namespace mirrorball {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Counts texels that are NaN or infinite, and refuses them unless the options say what to do.
-Result<NonFinite> checkNonFinite(const Image& image, const EnvironmentLoadOptions& options) {
-  const NonFinite bad = findNonFinite(image);
-  if (bad.count == 0 || options.keep_bad || options.repair) return bad;
-  return fail(ErrorCode::non_finite, textOf(bad), FixHint::repair);
-}
-
-/// Mends each image of a map, so that nothing from beside a face in its picture gets in.
-Result<void> repairImages(ImageSet& images) {
-  for (int face = 0; face < images.faces(); ++face) MIRRORBALL_TRY_VOID(repairNonFinite(images.at(0, face)));
-  return {};
-}
 
 /// Whatever a picture has beside its disc, no light comes from there.
 void clearBesideDisc(Projection projection, Image& image) {
@@ -49,12 +36,6 @@ void clearBesideDisc(Projection projection, Image& image) {
         std::fill_n(image.texel(x, y), image.channels(), 0.0f);
 }
 
-/// Counts another image's bad texels in.
-void add(const NonFinite& more, NonFinite& total) {
-  if (total.count == 0) total.first = more.first;
-  total.count += more.count;
-}
-
 /// How six faces in one picture may lie, each in its own place: first by OpenGL's table. Mirrored, a whole cross goes
 /// on across its edges as before; in strips each face may be mirrored by itself.
 std::vector<CubeArrangement> arrangementsIn(CubeLayout layout) {
@@ -64,16 +45,6 @@ std::vector<CubeArrangement> arrangementsIn(CubeLayout layout) {
   if (layout == CubeLayout::vcross) return {ours, turned(ours, kBack)};
   if (layout == CubeLayout::hcross) return {ours, turned(ours, kBack), turned(ours, kPoles)};
   return {ours, asSeen(ours), turned(asSeen(ours), kPoles), turned(ours, kPoles)};
-}
-
-/// What is said of a cube whose faces do not meet.
-FormDoubt doubtOf(const Recognition& recognition) {
-  FormDoubt doubt{"taken as " + textOf(recognition.form) + " (" + recognition.told_by +
-                  "), but its faces do not meet at their edges: a photograph is no map"};
-  if (recognition.form.layout == CubeLayout::hcross) doubt.other_forms.emplace_back("lecture");
-  if (recognition.form.layout == CubeLayout::vcross) doubt.other_forms.emplace_back("vcross:turn=-z");
-  doubt.other_forms.emplace_back("cube:as-seen");
-  return doubt;
 }
 
 /// Takes a cube whose form is a guess as the form in which its faces meet.
@@ -101,152 +72,7 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
     MIRRORBALL_TRY(other, other_map(form));
     if (edgeFit(other).meets()) return take(form, std::move(other));
   }
-  return reading.fit.jumps() ? doubtOf(recognition) : FormDoubt{};
-}
-
-/// Takes six images that do not say how they lie as their edges tell.
-///
-/// arrangements  that are possible: first that of `recognition`
-FormDoubt settleFaces(const EnvironmentMap& images, std::span<const CubeArrangement> arrangements,
-                      Recognition& recognition) {
-  const FaceReading reading = readByEdges(images, arrangements);
-  if (reading.arrangement != recognition.form.arrangement) {
-    recognition.form.arrangement = reading.arrangement;
-    recognition.told_by += ", and how its edges meet";
-  } else if (reading.fit.jumps()) {
-    return doubtOf(recognition);
-  }
-  return {};
-}
-
-/// A cube whose six images are there.
-///
-/// is_numbered  as possibleArrangements has it
-Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::string color, Metadata metadata,
-                                 Recognition recognition, const NonFinite& bad, const EnvironmentLoadOptions& options,
-                                 bool is_numbered = false) {
-  const Projection projection = recognition.form.projection;
-  if (faceCount(projection) != 6)
-    return fail(
-        ErrorCode::bad_shape,
-        "has the six faces of a cube, and a map of projection " + std::string(nameOf(projection)) + " is one picture",
-        FixHint::name_form_of_cube);
-  const glm::ivec2 size(images.at(0, 0).width());
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
-  FormDoubt doubt;
-  if (recognition.is_guess) {
-    EnvironmentMap by_slots(projection, std::move(images));
-    doubt = settleFaces(by_slots, possibleArrangements(recognition.form.arrangement, is_numbered), recognition);
-    images = std::move(by_slots).takeImages();
-  }
-  EnvironmentMap map = mapOfImages(std::move(images), recognition.form);
-  return LoadedEnvironment{.environment = Environment(std::move(map)),
-                           .format = std::move(format),
-                           .color = std::move(color),
-                           .recognition = std::move(recognition),
-                           .file_size = size,
-                           .bad_texels = bad,
-                           .metadata = std::move(metadata),
-                           .doubt = std::move(doubt)};
-}
-
-Result<void> checkIsSquare(const Image& face) {
-  if (face.width() == face.height()) return {};
-  return fail(ErrorCode::bad_shape, "is " + std::to_string(face.width()) + "x" + std::to_string(face.height()) +
-                                        ", and the six faces of a cube are squares");
-}
-
-/// Brings six squares to the largest side among them: skies for Quake have a small bottom of one colour
-/// (DaemonEngine/Daemon#179). Where some have fewer channels than others, all become three.
-///
-/// errors   too_large
-Result<void> equalizeFaces(const FaceFiles& files, ImageSet& images, std::vector<std::string>& oddities) {
-  int side = 0;
-  bool has_equal_channels = true;
-  forEachImage(images, [&](const Image& image) {
-    side = std::max(side, image.width());
-    has_equal_channels = has_equal_channels && image.channels() == images.at(0, 0).channels();
-  });
-  const std::uint64_t texels = 6 * std::uint64_t(side) * std::uint64_t(side);
-  const int channels = has_equal_channels ? images.at(0, 0).channels() : 3;
-  MIRRORBALL_TRY_VOID(checkMemory(texels * std::uint64_t(channels) * sizeof(float)));
-  for (int slot = 0; slot < 6; ++slot) {
-    Image& image = images.at(0, slot);
-    if (!has_equal_channels) image = rgbOf(image);
-    if (image.width() == side) continue;
-    const std::string own = std::to_string(image.width());
-    const std::string others = std::to_string(side);
-    oddities.push_back(files.paths[static_cast<std::size_t>(slot)].filename().string() + " is " + own + "x" + own +
-                       ", and the largest of the six faces is " + others + "x" + others + ": enlarged");
-    image = resized(image, glm::ivec2(side));
-  }
-  return {};
-}
-
-/// The remark on six files that do not state that they are a cube, nor how they lie.
-///
-/// name     that of one of them, or of their folder
-FormDoubt doubtOfFaces(const std::string& name, const FaceFiles& files, const CubeArrangement& arrangement) {
-  const auto mirrored = mirrorReading(arrangement);
-  const std::string others = listFaces(files, true, name);
-  const bool is_one = std::find(files.paths.begin(), files.paths.end(), fs::path(name)) != files.paths.end();
-  FormDoubt doubt;
-  doubt.message =
-      is_one ? "is read as one of the six faces of a cube, with " + others : "holds the six faces of a cube, " + others;
-  doubt.message +=
-      arrangement == CubeArrangement{} ? ", by OpenGL's table" : ", as " + hintForFaces(arrangement) + " has them";
-  if (mirrored) {
-    doubt.message += "; their edges meet in the mirrored world, too";
-    doubt.other_forms.push_back(hintForFaces(*mirrored));
-  }
-  if (is_one) doubt.other_forms.emplace_back("sphere");
-  return doubt;
-}
-
-Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
-                                    const EnvironmentLoadOptions& options) {
-  ImageSet images(1, 6);
-  Recognition recognition;
-  std::string format;
-  std::string color;
-  Metadata metadata;
-  NonFinite bad;
-  bool lacks_gain_map = false;
-  std::vector<std::string> oddities;
-  for (int slot = 0; slot < 6; ++slot) {
-    const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
-    MIRRORBALL_TRY(decoded, readImage(path, {.layer = options.from.layer}));
-    MIRRORBALL_TRY(bad_here, withName(path, checkNonFinite(decoded.image, options)));
-    if (slot == 0) {
-      metadata = std::move(decoded.metadata);
-      recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
-      if (recognition.is_guess) {
-        MIRRORBALL_TRY(by_name, formHintNamed(usualReading(files.naming)));
-        recognition.form.arrangement = by_name.arrangement;
-      }
-    }
-    add(bad_here, bad);
-    MIRRORBALL_TRY_VOID(withName(path, checkIsSquare(decoded.image)));
-    images.at(0, slot) = std::move(decoded.image);
-    format = decoded.format;
-    color = decoded.color;
-    lacks_gain_map = lacks_gain_map || decoded.gain_map == GainMapUse::lost;
-    for (const std::string& oddity : decoded.oddities)
-      oddities.push_back(fs::path(path).filename().string() + " " + oddity);
-  }
-  MIRRORBALL_TRY_VOID(withName(name, equalizeFaces(files, images, oddities)));
-  MIRRORBALL_TRY(loaded,
-                 withName(name, cubeOf(std::move(images), std::move(format), std::move(color), std::move(metadata),
-                                       std::move(recognition), bad, options, isCommon(files.naming))));
-  if (loaded.recognition->is_guess && loaded.doubt.message.empty())
-    loaded.doubt = doubtOfFaces(name, files, loaded.recognition->form.arrangement);
-  loaded.lacks_gain_map = lacks_gain_map;
-  loaded.oddities = std::move(oddities);
-  // Without another form to name, it is no doubt.
-  if (loaded.doubt.other_forms.empty() && !loaded.doubt.message.empty())
-    loaded.oddities.push_back(std::exchange(loaded.doubt.message, {}));
-  loaded.files.assign(files.paths.begin(), files.paths.end());
-  return loaded;
+  return reading.fit.jumps() ? makeJumpDoubt(recognition) : FormDoubt{};
 }
 
 /// sphere   the Photo Sphere that its file says it is
@@ -313,8 +139,8 @@ Result<LoadedEnvironment> loadCubeTexture(DecodedImageSet texture, const Environ
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
   Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
-  MIRRORBALL_TRY(loaded, cubeOf(std::move(images), texture.format + restOf(texture.images), texture.color,
-                                std::move(texture.metadata), std::move(recognition), bad, options));
+  MIRRORBALL_TRY(loaded, cubeFromImages(std::move(images), texture.format + restOf(texture.images), texture.color,
+                                        std::move(texture.metadata), std::move(recognition), bad, options));
   loaded.oddities = std::move(texture.oddities);
   return loaded;
 }
@@ -329,8 +155,6 @@ Result<LoadedEnvironment> loadPictureTexture(DecodedImageSet texture, const Envi
                       .oddities = std::move(texture.oddities)},
                      std::nullopt, options);
 }
-
-bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }
 
 /// Some writers store the faces of a cube as the layers of an array (SiegeEngine/ddsfile#10).
 bool mayBeCubeInLayers(const DecodedImageSet& texture, const FormHint& from) {
@@ -400,40 +224,6 @@ void tellOddities(const std::string& name, const std::vector<std::string>& oddit
     observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
-/// Tells of a square picture that it has the name of a face, without the others or without a sign that they are a cube.
-void tellOfOtherFaces(const std::string& path, LoadedEnvironment& loaded) {
-  const Recognition& recognition = *loaded.recognition;
-  if (recognition.form.projection != Projection::sphere || !recognition.told_by.starts_with("its shape")) return;
-  const auto files = faceFilesBeside(path);
-  if (!files) return;
-  if (isCommon(files->naming))
-    loaded.doubt = {
-        "has a name like five pictures beside it, without a sign that the six are a cube: read alone, as a "
-        "sphere map",
-        {"faces"}};
-  else
-    loaded.oddities.push_back("is named like one of the six faces of a cube, of which " + listFaces(*files, false) +
-                              (files->present == 5 ? " is" : " are") + " missing: read alone, as a sphere map");
-}
-
-/// The cube of which a file is one face; nothing where the six are only named alike.
-Result<std::optional<LoadedEnvironment>> loadCubeAround(const std::string& path,
-                                                        const EnvironmentLoadOptions& options) {
-  const auto files = cubeFilesOf(path, options.from);
-  if (!files) return std::nullopt;
-  if (files->present < 6)
-    return fail(
-        ErrorCode::not_found,
-        path + ": is one of the six faces of a cube, without " + listFaces(*files, false) + "; put all in one folder",
-        FixHint::name_form);
-  auto loaded = loadFaces(path, *files, options);
-  if (isCommon(files->naming) && options.from.layout != CubeLayout::faces &&
-      !(loaded && readByEdges(*loaded->environment.map(), possibleArrangements({})).is_proved))
-    return std::nullopt;
-  if (!loaded) return fail(std::move(loaded));
-  return std::move(*loaded);
-}
-
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                      const ProgressFunction& progress) {
   std::error_code status;
@@ -477,14 +267,6 @@ OptionText environmentText(std::string_view help) {
 
 OptionText formText(std::string_view help, std::string_view group) {
   return {.name = "from", .value = "FORM", .help = help, .group = group, .names = projectionNames};
-}
-
-std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from) {
-  const auto files = faceFilesBeside(path);
-  if (!files || from.layout == CubeLayout::faces) return files;
-  // A name that only happens to end like a face's, such as the left of two pictures, stands for itself.
-  const bool has_siblings = files->present > 3;
-  return has_siblings && mayBeCube(from) && !from.layout ? files : std::nullopt;
 }
 
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,

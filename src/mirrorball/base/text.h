@@ -30,6 +30,11 @@ std::string lowerCase(std::string_view text);
 /// With which some programs begin UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
+/// A text without the byte-order mark that it may begin with.
+constexpr std::string_view withoutByteOrderMark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 /// "a, b, c"; with " or " before the last, "a, b or c".
 std::string join(std::span<const std::string_view> words, std::string_view separator = ", ",
                  std::optional<std::string_view> before_last = {});

@@ -30,6 +30,13 @@ TEST(Text, WordsAreWhatStandsBetweenWhiteSpace) {
   EXPECT_EQ(lowerCase("Room_PX.\xc3\x84"), "room_px.\xc3\x84");
 }
 
+TEST(ByteOrderMark, IsLeftOutOnceAndOnlyAtTheBegin) {
+  EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbfsolid"), "solid");
+  EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbf\xef\xbb\xbf"), "\xef\xbb\xbf");
+  EXPECT_EQ(withoutByteOrderMark("a\xef\xbb\xbf"), "a\xef\xbb\xbf");
+  EXPECT_EQ(withoutByteOrderMark("\xef\xbb"), "\xef\xbb");
+}
+
 TEST(Split, KeepsEmptyParts) {
   EXPECT_THAT(split("a,,b", ','), ElementsAre("a", "", "b"));
   EXPECT_THAT(split("", ','), ElementsAre(""));

@@ -47,7 +47,8 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
     {"", "a web page", Mark::in_markup, "<!doctype html", FileUse::any, kDownload},
     {"", "a web page", Mark::in_markup, "<html", FileUse::any, kDownload},
     {"", "a server's message", Mark::in_markup, "<error>", FileUse::any, kDownload},
-    {"", "a gzip archive", Mark::at_begin, "\x1f\x8b\x08", FileUse::any, kUnpack},
+    {"", "compressed by gzip", Mark::at_begin, "\x1f\x8b\x08", FileUse::any, "unpack it: `gunzip` does"},
+    {"", "compressed by bzip2", Mark::at_begin, "BZh", FileUse::any, "unpack it: `bunzip2` does"},
     {"usdz", "a USD", Mark::at_begin, "", FileUse::model, kBlender},  // a zip archive
     {"", "a zip archive", Mark::at_begin, "PK\x03\x04", FileUse::any, kUnpack},
     {"", "a 7-Zip archive", Mark::at_begin, "7z\xbc\xaf\x27\x1c", FileUse::any, kUnpack},
@@ -109,7 +110,7 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
 
 /// The beginning in small letters where it begins as a text of markup does; else nothing.
 std::string markupIn(std::string_view begin) {
-  if (begin.starts_with(kByteOrderMark)) begin.remove_prefix(kByteOrderMark.size());
+  begin = withoutByteOrderMark(begin);
   const std::size_t first = begin.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || begin[first] != '<') return {};
   return lowerCase(begin.substr(first));

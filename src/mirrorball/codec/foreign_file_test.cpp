@@ -22,14 +22,15 @@ struct ForeignCase {
 /// The beginning of a file whose first box, of 24 bytes, says what it holds.
 std::string boxOfKind(const std::string& kind) { return std::string("\0\0\0\x18", 4) + kind + std::string(16, '\0'); }
 
-const std::array<ForeignCase, 17> kForeignCases{{
+const std::array<ForeignCase, 18> kForeignCases{{
     {"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
      "is a Git LFS pointer, which is not read; run `git lfs pull`, which fetches the file that it stands for"},
     {"\xef\xbb\xbf\r\n <!DOCTYPE html><html><body>404</body></html>",
      "is a web page, which is not read; it came in the file's place: download the file itself"},
     {"<!-- saved -->\n<HTML lang=\"en\">", "is a web page, which"},
     {"<?xml version=\"1.0\"?>\n<Error><Code>NoSuchKey</Code></Error>", "is a server's message, which"},
-    {"\x1f\x8b\x08\xff", "is a gzip archive, which is not read; unpack it"},
+    {"\x1f\x8b\x08\xff", "is compressed by gzip, which is not read; unpack it: `gunzip` does"},
+    {"BZh91AY&SY", "is compressed by bzip2, which is not read; unpack it: `bunzip2` does"},
     {"PK\x03\x04" + std::string(60, '\0'), "is a zip archive, which"},
     {std::string("8BPS\0\1", 6), "is a Photoshop document, which is not read; save it as OpenEXR, or as PNG"},
     {"GIF89a", "is a GIF, which is not read; save it as PNG"},

@@ -49,7 +49,7 @@ TEST(LoadModel, WhatStandsInAModelsPlaceIsNamed) {
                   "stands for");
     EXPECT_THAT(refusal("\n<!DOCTYPE html>\n<html>"), ::testing::HasSubstr("is a web page, which is not read"));
     EXPECT_THAT(refusal("PK\x03\x04"), ::testing::HasSubstr("is a zip archive, which is not read; unpack it"));
-    EXPECT_THAT(refusal("\x1f\x8b\x08"), ::testing::HasSubstr("is a gzip archive"));
+    EXPECT_THAT(refusal("\x1f\x8b\x08"), ::testing::HasSubstr("is compressed by gzip"));
     EXPECT_THAT(refusal("b3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools b3dmToGlb`"));
     EXPECT_THAT(refusal("i3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"));
     EXPECT_THAT(refusal("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));

@@ -209,8 +209,8 @@ std::string primariesLine(const Primaries& primaries) {
 
 bool beginsWithHdrHeader(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLongestSearch = 4096;  // a FORMAT line stands before it in any real header
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestSearch));
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::string_view text = withoutByteOrderMark(
+      {reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestSearch)});
   if (text.starts_with(kHdrSignature)) return true;
   const auto is_text = [](unsigned char c) { return c >= 0x20 || c == '\t' || c == '\r'; };
   LineReader lines(text, 0);
@@ -224,10 +224,10 @@ bool beginsWithHdrHeader(std::span<const std::uint8_t> bytes) {
 
 Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const bool is_marked = text.starts_with(kByteOrderMark);
-  LineReader lines(text, is_marked ? kByteOrderMark.size() : 0);
+  const std::size_t mark = text.size() - withoutByteOrderMark(text).size();
+  LineReader lines(text, mark);
   HdrHeader header;
-  if (is_marked) header.oddities.emplace_back("begins with a byte-order mark: left out");
+  if (mark > 0) header.oddities.emplace_back("begins with a byte-order mark: left out");
   if (!text.substr(lines.position()).starts_with(kHdrSignature))
     header.oddities.emplace_back("lacks the signature '#?RADIANCE': read as what its FORMAT says");
   VariableReader variables(header, lines);

@@ -34,7 +34,7 @@ std::string reaches(const char* what, std::uint64_t end, std::size_t size) {
 /// JSON as parsers take it: programs of Windows put a byte-order mark before it, and some pad it with zeros where the
 /// format wants blanks.
 std::string_view plainJson(std::string_view json) {
-  if (json.starts_with(kByteOrderMark)) json.remove_prefix(kByteOrderMark.size());
+  json = withoutByteOrderMark(json);
   return json.substr(0, json.find_last_not_of('\0') + 1);
 }
 

@@ -6,9 +6,7 @@
 
 namespace mirrorball {
 
-StatementReader::StatementReader(std::string_view text) : text_(text) {
-  if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
-}
+StatementReader::StatementReader(std::string_view text) : text_(withoutByteOrderMark(text)) {}
 
 std::string_view StatementReader::takeLine() {
   const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());

@@ -29,8 +29,7 @@ std::optional<PlyType> plyTypeNamed(std::string_view name) {
 /// The lines of a header, each without its end.
 class HeaderLines {
  public:
-  explicit HeaderLines(std::string_view text)
-      : text_(text), at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0) {
+  explicit HeaderLines(std::string_view text) : text_(text), at_(text.size() - withoutByteOrderMark(text).size()) {
     // Files of old Macintoshes end lines with CR alone; elsewhere one is a part of "\r\n" only.
     const std::size_t end = text.find_first_of("\r\n");
     ends_with_ =

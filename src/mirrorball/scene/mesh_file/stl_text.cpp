@@ -91,9 +91,9 @@ class StlTextReader {
 
 std::optional<std::string_view> stlText(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kBegin = 512;
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.substr(0, kBegin).find('\0') != std::string_view::npos) return {};
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (all.substr(0, kBegin).find('\0') != std::string_view::npos) return {};
+  const std::string_view text = withoutByteOrderMark(all);
   constexpr std::string_view kVertex = "vertex";
   if (std::search(text.begin(), text.end(), kVertex.begin(), kVertex.end(), isSameLetter) == text.end()) return {};
   return text;

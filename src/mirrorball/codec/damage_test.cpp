@@ -92,25 +92,28 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
   }
 }
 
+/// A file that is read as far as it goes.
+DamagedFile inPart(const char* name, std::function<Bytes()> bytes) { return {name, std::move(bytes), true}; }
+
 INSTANTIATE_TEST_SUITE_P(
     Files, Damage,
-    ::testing::Values(DamagedFile{"HdrNewRle",
-                                  [] {
-                                    return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
-                                  }},
-                      DamagedFile{"HdrOldRle", oldRleHdr},
-                      DamagedFile{
-                          "Tga", [] { return testing::tgaFile({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
-                      DamagedFile{"Bmp", [] { return testing::bmpFile({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
-                      DamagedFile{"BmpRle",
-                                  [] {
-                                    return testing::bmpFile(
-                                        {.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
-                                        {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
-                                  }},
-                      DamagedFile{"Pgm", [] { return bytesOf("P5 5 3 65535\n" + std::string(30, 'x')); }},
-                      DamagedFile{"PpmText", [] { return bytesOf("P3\n2 2\n255\n1 2 3 4 5 6 7 8 9 10 11 5"); }},
-                      DamagedFile{"Pfm", [] { return bytesOf("PF  3  2  -1\n" + std::string(72, 'x')); }}),
+    ::testing::Values(inPart("HdrNewRle",
+                             [] {
+                               return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
+                             }),
+                      inPart("HdrOldRle", oldRleHdr),
+                      inPart("Tga",
+                             [] { return testing::tgaFile({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }),
+                      inPart("Bmp", [] { return testing::bmpFile({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }),
+                      inPart("BmpRle",
+                             [] {
+                               return testing::bmpFile(
+                                   {.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
+                                   {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
+                             }),
+                      inPart("Pgm", [] { return bytesOf("P5 5 3 65535\n" + std::string(30, 'x')); }),
+                      inPart("PpmText", [] { return bytesOf("P3\n2 2\n255\n1 2 3 4 5 6 7 8 9 10 11 5"); }),
+                      inPart("Pfm", [] { return bytesOf("PF  3  2  -1\n" + std::string(72, 'x')); })),
     testing::nameOfDamaged);
 
 }  // namespace

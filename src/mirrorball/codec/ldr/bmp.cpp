@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdlib>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -45,7 +45,7 @@ struct BmpHeader {
 
 tl::unexpected<Error> truncated(std::size_t size) {
   return fail(ErrorCode::bad_file,
-              "ends at byte " + std::to_string(size) + ", before its last texel; the file is truncated or damaged");
+              "ends at byte " + std::to_string(size) + ", before its first texel; the file is truncated or damaged");
 }
 
 /// Whether texels of that many bits can be compressed so.
@@ -113,7 +113,7 @@ Result<BmpHeader> readBmpHeader(Span bytes) {
   return header;
 }
 
-/// Whether its bytes can be all the texels.
+/// Whether its bytes can be the texels, or some of them.
 Result<void> checkTexels(const BmpHeader& header, Span bytes) {
   const int width = static_cast<int>(header.width);
   const int height = static_cast<int>(header.height);
@@ -122,8 +122,8 @@ Result<void> checkTexels(const BmpHeader& header, Span bytes) {
   // Two bytes make at most 255 texels, and a run-length coded file may skip some, but hardly most of a large picture.
   constexpr std::size_t kSmall = 65536;
   const bool fits = header.isRunLengthCoded()
-                        ? there >= 2 && (header.texelCount() <= kSmall || header.texelCount() / 128 <= there)
-                        : header.rowBytes() * std::size_t(height) <= there;
+                        ? there >= 2 && (header.texelCount() <= kSmall || mayBeLeftOf(header.texelCount() / 128, there))
+                        : there > 0 && mayBeLeftOf(std::uint64_t{header.rowBytes()} * std::size_t(height), there);
   if (!fits) return cannotHold(width, height, bytes.size());
   return {};
 }
@@ -154,9 +154,7 @@ class RunReader {
   RunReader(const BmpHeader& header, Span bytes) : header_(header), bytes_(bytes), indices_(header.texelCount(), 0) {}
 
   /// Rows as they are stored.
-  ///
-  /// returns  nothing where the bytes end before the picture does
-  std::optional<std::vector<std::uint8_t>> read() {
+  std::vector<std::uint8_t> read() {
     while (const auto code = next(2)) {
       const std::uint8_t count = code[0];
       const std::uint8_t value = code[1];
@@ -167,7 +165,8 @@ class RunReader {
         ++y_;
         if (y_ > header_.height) break;  // more rows than there are
       } else if (value == 1) {
-        return std::move(indices_);
+        y_ = header_.height;
+        break;
       } else if (value == 2) {
         const std::uint8_t* skip = next(2);
         if (!skip) break;
@@ -177,10 +176,13 @@ class RunReader {
         break;
       }
     }
-    // Some writers leave out the code for the end.
-    const bool is_whole = y_ >= header_.height || (y_ == header_.height - 1 && x_ >= header_.width);
-    if (!is_whole) return {};
     return std::move(indices_);
+  }
+
+  /// How many of them are whole. Some writers leave out the code for the end of the last.
+  int rows() const {
+    const std::int64_t ended = y_ + (y_ == header_.height - 1 && x_ >= header_.width ? 1 : 0);
+    return static_cast<int>(std::min(ended, header_.height));
   }
 
  private:
@@ -246,63 +248,75 @@ std::uint8_t indexAt(std::uint32_t bits, const std::uint8_t* row, std::size_t x)
   return static_cast<std::uint8_t>(row[bit / 8] >> (8 - bits - bit % 8) & ((1u << bits) - 1));
 }
 
-/// The rows of texels, or of a palette's indices, from the top of the picture.
+/// The rows of texels, or of a palette's indices, that a file holds.
 class Rows {
  public:
-  Rows(const BmpHeader& header, Span texels) : header_(header), texels_(texels) {}
+  Rows(const BmpHeader& header, Span texels, int count) : header_(header), texels_(texels), count_(count) {}
 
-  const std::uint8_t* operator[](int y) const {
-    const std::int64_t stored = header_.from_top ? y : header_.height - 1 - y;
+  int count() const { return count_; }
+
+  /// A row, in the order of the file.
+  const std::uint8_t* operator[](int row) const {
     const std::size_t size = header_.isRunLengthCoded() ? std::size_t(header_.width) : header_.rowBytes();
-    return texels_.data() + std::size_t(stored) * size;
+    return texels_.data() + std::size_t(row) * size;
   }
+
+  /// Where it is shown, from the top.
+  int shown(int row) const { return header_.from_top ? row : static_cast<int>(header_.height) - 1 - row; }
 
  private:
   const BmpHeader& header_;
   Span texels_;
+  int count_;
 };
 
 void fillFromMasks(const BmpHeader& header, const Rows& rows, Image8& picture) {
-  for (int y = 0; y < picture.height(); ++y)
+  for (int row = 0; row < rows.count(); ++row)
     for (int x = 0; x < picture.width(); ++x) {
-      const BmpColor color = colorAt(header, rows[y], std::size_t(x));
-      std::copy_n(color.begin(), picture.channels(), picture.texel(x, y));
+      const BmpColor color = colorAt(header, rows[row], std::size_t(x));
+      std::copy_n(color.begin(), picture.channels(), picture.texel(x, rows.shown(row)));
     }
 }
 
 Result<void> fillFromPalette(const BmpHeader& header, const Rows& rows, const std::vector<BmpColor>& palette,
                              Image8& picture) {
   const std::uint32_t bits = header.isRunLengthCoded() ? 8 : header.bits;  // of an index
-  for (int y = 0; y < picture.height(); ++y)
+  for (int row = 0; row < rows.count(); ++row)
     for (int x = 0; x < picture.width(); ++x) {
-      const std::size_t index = indexAt(bits, rows[y], std::size_t(x));
+      const std::size_t index = indexAt(bits, rows[row], std::size_t(x));
       if (index >= palette.size())
-        return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(y) +
+        return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(rows.shown(row)) +
                                              ") has the colour " + std::to_string(index) + " of a palette of " +
                                              std::to_string(palette.size()) + "; the file is damaged");
-      std::copy_n(palette[index].begin(), picture.channels(), picture.texel(x, y));
+      std::copy_n(palette[index].begin(), picture.channels(), picture.texel(x, rows.shown(row)));
     }
   return {};
 }
 
-Result<Image8> readBmpPicture(const BmpHeader& header, Span bytes) {
+/// oddities   told of rows that are missing
+Result<Image8> readBmpPicture(const BmpHeader& header, Span bytes, std::vector<std::string>& oddities) {
   MIRRORBALL_TRY_VOID(checkTexels(header, bytes));
   MIRRORBALL_TRY(palette, readPalette(header, bytes));
   Span texels = bytes.subspan(header.texels_at);
-  std::optional<std::vector<std::uint8_t>> indices;
+  auto count = static_cast<int>(std::min(texels.size() / header.rowBytes(), std::size_t(header.height)));
+  std::vector<std::uint8_t> indices;
   if (header.isRunLengthCoded()) {
-    indices = RunReader(header, texels).read();
-    if (!indices) return truncated(bytes.size());
-    texels = *indices;
+    RunReader reader(header, texels);
+    indices = reader.read();
+    texels = indices;
+    count = reader.rows();
   }
+  if (count == 0) return endsInFirstRow(bytes.size());
   Image8 picture = Image8::withoutValues(static_cast<int>(header.width), static_cast<int>(header.height),
                                          header.masks[3] != 0 ? 4 : 3);
-  const Rows rows(header, texels);
+  const Rows rows(header, texels, count);
   if (header.hasPalette()) {
     MIRRORBALL_TRY_VOID(fillFromPalette(header, rows, palette, picture));
   } else {
     fillFromMasks(header, rows, picture);
   }
+  blackenMissingRows(picture, count, header.from_top);
+  if (count < picture.height()) oddities.push_back(earlyEndText(std::size_t(picture.height() - count)));
   return picture;
 }
 
@@ -325,12 +339,15 @@ bool isBmp(Span bytes) {
 
 Result<CodedFile> decodeBmp(Span bytes, CodeForm) {
   MIRRORBALL_TRY(header, readBmpHeader(bytes));
-  MIRRORBALL_TRY(picture, readBmpPicture(header, bytes));
+  std::vector<std::string> oddities;
+  MIRRORBALL_TRY(picture, readBmpPicture(header, bytes, oddities));
   std::string format = "BMP, " + std::to_string(header.bits) + " bit";
   if (header.hasPalette()) format += " palette";
   if (header.isRunLengthCoded()) format += ", RLE";
-  return CodedFile{
-      .codes = std::move(picture), .color = codedColor(bmpProfile(header, bytes)), .format = std::move(format)};
+  return CodedFile{.codes = std::move(picture),
+                   .color = codedColor(bmpProfile(header, bytes)),
+                   .format = std::move(format),
+                   .oddities = std::move(oddities)};
 }
 
 }  // namespace mirrorball

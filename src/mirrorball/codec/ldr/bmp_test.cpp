@@ -102,7 +102,7 @@ TEST(Bmp, RunsLiteralsAndSkips) {
   EXPECT_THAT(indices(rle4, {0, 5, 0x12, 0x34, 0x50, 0, 0, 1}), ElementsAre(1, 2, 3, 4, 5));
   testing::BmpForm cut = rle8;
   cut.palette = {0, 1, 2};
-  EXPECT_THAT(refusedBmp(bmpFile(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
+  EXPECT_THAT(refusedBmp(bmpFile(cut, {2, 1, 0, 3, 1})).message, HasSubstr("before the end of its first row"));
   EXPECT_EQ(decodeImage(bmpFile(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
 }
 

@@ -5,7 +5,7 @@
 #include <jerror.h>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/ldr/missing_rows.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -120,7 +120,7 @@ std::string JpegDamage::remarkOnRows() const {
   const std::size_t count = missingRows();
   const std::string those = missingRowsText(count);
   const bool are_last = end() + count == is_missing_.size();
-  if (are_last && lacks_data_ && (ends_early_ || message_[0] == '\0')) return "ends before its last row: " + those;
+  if (are_last && lacks_data_ && (ends_early_ || message_[0] == '\0')) return earlyEndText(count);
   const auto first = std::find(is_missing_.begin(), is_missing_.end(), std::uint8_t{1}) - is_missing_.begin();
   return "is damaged from row " + std::to_string(first) + " on" +
          (message_[0] == '\0' ? "" : " (" + excerpt(message_, kLongestText) + ")") + ": " + those;

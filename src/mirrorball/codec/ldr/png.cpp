@@ -13,10 +13,10 @@
 #include <zlib.h>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/ldr/missing_rows.h"
 #include "mirrorball/codec/ldr/png_chunks.h"
 #include "mirrorball/codec/ldr/png_color.h"
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/missing_rows.h"
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
@@ -205,7 +205,7 @@ Result<void> takeRowsOfEarlyEnd(const PngReader& reader, bool decoded, Pixels& p
     pixels.oddities.emplace_back("ends before its last pass: it is coarser than it was meant to be");
   } else {
     pixels.rows = at.row;
-    pixels.oddities.push_back("ends before its last row: " + missingRowsText(std::size_t(pixels.height - at.row)));
+    pixels.oddities.push_back(earlyEndText(std::size_t(pixels.height - at.row)));
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/ldr/pnm_header.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -108,12 +109,12 @@ Result<void> checkSize(const PnmHeader& header, Span bytes) {
   MIRRORBALL_TRY_VOID(checkPictureMemory(header.width, header.height, header.channels == 2 ? 4 : header.channels,
                                          header.fitsEightBits() ? 1 : 2));
   const std::size_t row = header.coding == Coding::text ? header.rowSamples() : header.rowBytes();
-  if ((bytes.size() - header.samples_at) / row < std::size_t(header.height))
+  if (!mayBeLeftOf(std::uint64_t{row} * std::uint64_t(header.height), bytes.size() - header.samples_at))
     return cannotHold(header.width, header.height, bytes.size());
   return {};
 }
 
-/// Reads row after row, in the file's order.
+/// Reads row after row, from the top.
 class PnmRows {
  public:
   PnmRows(const PnmHeader& header, Span bytes)
@@ -122,10 +123,17 @@ class PnmRows {
   }
 
   /// The codes of a row; in a bitmap 1 is black.
-  Result<void> read(int y, std::vector<std::uint32_t>& row) {
+  ///
+  /// returns  whether the file holds the row; one in which it ends is not held
+  Result<bool> read(int y, std::vector<std::uint32_t>& row) {
     if (header_.coding == Coding::text) {
-      MIRRORBALL_TRY_VOID(readText(row));
+      const Result<void> whole = readText(row);
+      // With the file a number may end before its last digit, but for the picture's last.
+      const bool is_last = whole && (y + 1 == header_.height || header_.isBitmap());
+      if (words_.isAtEnd() && !is_last) return false;
+      if (!whole) return tl::unexpected<Error>(whole.error());
     } else {
+      if (bytes_.size() / header_.rowBytes() <= std::size_t(y)) return false;
       readBytes(bytes_.data() + std::size_t(y) * header_.rowBytes(), row);
     }
     const std::uint32_t max = *std::max_element(row.begin(), row.end());
@@ -135,7 +143,7 @@ class PnmRows {
                                            std::to_string(header_.max));
     if (header_.isBitmap())
       for (std::uint32_t& code : row) code = 1 - code;
-    return {};
+    return true;
   }
 
  private:
@@ -161,21 +169,27 @@ class PnmRows {
   PnmWords words_;
 };
 
+/// oddities   told of rows that are missing
 template <typename Sample>
-Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes) {
+Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes, std::vector<std::string>& oddities) {
   constexpr std::uint32_t kMax = std::numeric_limits<Sample>::max();
   const bool is_grey_with_alpha = header.channels == 2;
   auto image = ImageOf<Sample>::withoutValues(header.width, header.height, is_grey_with_alpha ? 4 : header.channels);
   PnmRows reader(header, bytes);
   std::vector<std::uint32_t> row(header.rowSamples());
-  for (int y = 0; y < header.height; ++y) {
-    MIRRORBALL_TRY_VOID(reader.read(y, row));
+  int y = 0;
+  for (; y < header.height; ++y) {
+    MIRRORBALL_TRY(is_there, reader.read(y, row));
+    if (!is_there) break;
     Sample* to = image.row(y).data();
     for (std::size_t i = 0; i < row.size(); ++i) {
       *to++ = static_cast<Sample>(rescaledCode(row[i], header.max, kMax));
       if (is_grey_with_alpha && i % 2 == 0) to = std::fill_n(to, 2, to[-1]);
     }
   }
+  if (y == 0) return endsInFirstRow(bytes.size());
+  blackenMissingRows(image, y, /*from_top=*/true);
+  if (y < header.height) oddities.push_back(earlyEndText(std::size_t(header.height - y)));
   return CodedPicture(std::move(image));
 }
 
@@ -189,14 +203,14 @@ bool isPnm(Span bytes) {
 Result<CodedFile> decodePnm(Span bytes, CodeForm) {
   MIRRORBALL_TRY(header, readPnmHeader(bytes));
   MIRRORBALL_TRY_VOID(checkSize(header, bytes));
-  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes)
-                                               : readSamples<std::uint16_t>(header, bytes));
+  std::vector<std::string> oddities;
+  if (header.ends_with_cr_lf) oddities.push_back(PnmWords::crLfText());
+  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes, oddities)
+                                               : readSamples<std::uint16_t>(header, bytes, oddities));
   constexpr std::string_view kNames[]{"PBM, text", "PGM, text", "PPM, text", "PBM", "PGM", "PPM", "PAM"};
   std::string format(kNames[header.version - '1']);
   if (!header.isBitmap()) format += ", 0 to " + std::to_string(header.max);
-  CodedFile file{.codes = std::move(codes), .format = std::move(format)};
-  if (header.ends_with_cr_lf) file.oddities.push_back(PnmWords::crLfText());
-  return file;
+  return CodedFile{.codes = std::move(codes), .format = std::move(format), .oddities = std::move(oddities)};
 }
 
 }  // namespace mirrorball

@@ -21,6 +21,8 @@ class PnmWords {
   /// How many bytes were read.
   std::size_t position() const { return at_; }
 
+  bool isAtEnd() const { return at_ >= text_.size(); }
+
   void skip(std::size_t count) { at_ += count; }
 
   /// The next word behind white space and comments, which run from '#' to the line's end; empty at the file's end.
@@ -60,14 +62,17 @@ class PnmWords {
   }
 
   /// Passes the one blank that ends a header. Programs on Windows end it with CR LF, of which the LF may as well be the
-  /// first sample's byte: it is none where more bytes follow than the samples have.
+  /// first sample's byte: it is that where the bytes are then just as many as the samples have, and no other line of
+  /// the header ends so.
   ///
   /// sample_bytes  how many the samples have
   /// returns       whether CR LF was passed
   Result<bool> endHeader(std::uint64_t sample_bytes) {
     if (at_ >= text_.size() || !isBlank(text_[at_]))
       return failure("a blank should end the header", text_.substr(at_, 1));
-    const bool has_two = text_.substr(at_, 2) == "\r\n" && text_.size() - at_ - 1 > sample_bytes;
+    const bool may_be_sample =
+        text_.size() - at_ - 1 == sample_bytes && text_.substr(0, at_).find("\r\n") == std::string_view::npos;
+    const bool has_two = text_.substr(at_, 2) == "\r\n" && !may_be_sample;
     at_ += has_two ? 2 : 1;
     return has_two;
   }

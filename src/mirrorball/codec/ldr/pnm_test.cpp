@@ -160,7 +160,26 @@ TEST(Pfm, TheScaleMayHaveADecimalComma) {
   EXPECT_FALSE(pfm("Pf 2 1 -1,0.0\n" + floatBytes({1, 4}, false)));
 }
 
-TEST(Pfm, EveryTruncationIsAnError) {
+TEST(Pfm, AHeaderWithCrLfIsOneInAFileThatEndsEarlyToo) {
+  const std::string file = "PF\r\n1 3\r\n-1.0\r\n" + floatBytes({1, 2, 3, 4, 5, 6, 7, 8, 9}, false);
+  for (const std::size_t missing : {1, 5, 12}) {
+    const auto image = pfm(file.substr(0, file.size() - missing));
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_THAT(image->image.samples(), ElementsAre(0.0f, 0.0f, 0.0f, 4.0f, 5.0f, 6.0f, 1.0f, 2.0f, 3.0f)) << missing;
+    EXPECT_EQ(image->oddities.size(), 2u);
+  }
+}
+
+TEST(Pfm, OfFourChannelsHasAlphaWithoutTheSamplesUnit) {
+  const auto image = pfm("PF4\n2 1\n-2.0\n" + floatBytes({1, 2, 3, 0.5f, 5, 6, 7, 1}, false));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->image.samples(), ElementsAre(2.0f, 4.0f, 6.0f, 0.5f, 10.0f, 12.0f, 14.0f, 1.0f));
+  EXPECT_EQ(image->format, "PFM with alpha, little-endian, scaled by 2");
+  EXPECT_FALSE(isPfm(bytesOf("PF5\n2 1\n-1.0\n")));
+  EXPECT_FALSE(isPfm(bytesOf("Pf4\n2 1\n-1.0\n")));
+}
+
+TEST(Pfm, ATruncatedRowAloneIsAnError) {
   const std::string file = "Pf 2 1 -1\n" + floatBytes({1, 4}, false);
   for (std::size_t length = 3; length < file.size(); ++length)
     EXPECT_FALSE(decodePfm(bytesOf(file.substr(0, length)))) << length;

@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/missing_rows.h"
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
@@ -42,6 +43,7 @@ struct TgaHeader {
   std::size_t texelsAt() const { return kHeaderSize + id_length + paletteBytes(); }
   std::size_t texelBytes() const { return (bits + 7) / 8; }
   std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
+  std::size_t rowBytes() const { return std::size_t(width) * texelBytes(); }
 };
 
 bool isColorDepth(std::uint32_t bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
@@ -106,20 +108,20 @@ TgaColor colorOf(const std::uint8_t* stored, std::uint32_t bits) {
 
 /// Copies texels, or repeats one, as the packets say. They may run from one row into the next.
 ///
-/// returns  false where the bytes end before the texels do
-bool unpackRuns(Span packed, std::size_t texel_bytes, std::span<std::uint8_t> texels) {
-  while (!texels.empty()) {
-    if (packed.empty()) return false;
+/// returns  how many bytes of texels there are, where the packets end before the texels do
+std::size_t unpackRuns(Span packed, std::size_t texel_bytes, std::span<std::uint8_t> texels) {
+  const std::size_t all = texels.size();
+  while (!texels.empty() && !packed.empty()) {
     const bool is_run = packed[0] >= 128;
     const std::size_t size = std::min(((packed[0] & 127u) + 1) * texel_bytes, texels.size());
     packed = packed.subspan(1);
     const std::size_t stored = is_run ? texel_bytes : size;
-    if (packed.size() < stored) return false;
+    if (packed.size() < stored) break;
     for (std::size_t at = 0; at < size; at += stored) std::copy_n(packed.begin(), stored, texels.begin() + at);
     packed = packed.subspan(stored);
     texels = texels.subspan(size);
   }
-  return true;
+  return all - texels.size();
 }
 
 class TgaReader {
@@ -136,12 +138,13 @@ class TgaReader {
     const int channels = has_alpha ? 4 : header_.kind == Kind::grey ? 1 : 3;
     Image8 picture = Image8::withoutValues(header_.width, header_.height, channels);
     std::uint8_t max_alpha = 0;
-    for (int y = 0; y < header_.height; ++y)
+    for (int row = 0; row < rows_; ++row)
       for (int x = 0; x < header_.width; ++x) {
-        const TgaColor color = colorAt(texelAt(x, y));
-        std::copy_n(color.begin(), channels, picture.texel(x, y));
+        const TgaColor color = colorAt(texelAt(x, row));
+        std::copy_n(color.begin(), channels, picture.texel(x, shownRow(row)));
         max_alpha = std::max(max_alpha, color[3]);
       }
+    blackenMissingRows(picture, rows_, header_.from_top);
     // Some programs say that there is alpha and leave it at 0, which would make the whole picture invisible.
     if (has_alpha && max_alpha == 0)
       for (std::size_t i = 3; i < picture.samples().size(); i += 4) picture.samples()[i] = 255;
@@ -149,6 +152,9 @@ class TgaReader {
     if (alpha == AlphaType::premultiplied) makeStraight(coded);
     return coded;
   }
+
+  /// Of those that the file should hold.
+  int missingRows() const { return header_.height - rows_; }
 
  private:
   std::uint32_t colorBits() const { return header_.kind == Kind::palette ? header_.palette_bits : header_.bits; }
@@ -165,7 +171,7 @@ class TgaReader {
     const std::size_t min = header_.is_run_length_coded
                                 ? header_.texelCount() / kMaxTexelsPerPacket * (header_.texelBytes() + 1)
                                 : header_.texelCount() * header_.texelBytes();
-    if (there < min || there == 0) return cannotHold(header_.width, header_.height, size);
+    if (!mayBeLeftOf(min, there) || there == 0) return cannotHold(header_.width, header_.height, size);
     return {};
   }
 
@@ -173,13 +179,13 @@ class TgaReader {
     const Span stored = bytes_.subspan(header_.texelsAt());
     const std::size_t size = header_.texelCount() * header_.texelBytes();
     texels_ = stored;
-    if (!header_.is_run_length_coded) return {};
-    // Without values, so that a size that lies costs no memory: only texels that are there are touched.
-    unpacked_ = bytesWithoutValues(size);
-    texels_ = {unpacked_.get(), size};
-    if (unpackRuns(stored, header_.texelBytes(), {unpacked_.get(), size})) return {};
-    return fail(ErrorCode::bad_file, "ends at byte " + std::to_string(bytes_.size()) +
-                                         ", before its last texel; the file is truncated or damaged");
+    if (header_.is_run_length_coded) {
+      // Without values, so that a size that lies costs no memory: only texels that are there are touched.
+      unpacked_ = bytesWithoutValues(size);
+      texels_ = {unpacked_.get(), unpackRuns(stored, header_.texelBytes(), {unpacked_.get(), size})};
+    }
+    rows_ = static_cast<int>(std::min(texels_.size(), size) / header_.rowBytes());
+    return rows_ > 0 ? Result<void>() : endsInFirstRow(bytes_.size());
   }
 
   void readPalette() {
@@ -190,10 +196,12 @@ class TgaReader {
       palette_.push_back(colorOf(stored + i * entry, header_.palette_bits));
   }
 
-  /// Of the picture as it is shown: (0, 0) is its upper left corner.
-  const std::uint8_t* texelAt(int x, int y) const {
+  /// Where a row of the file is shown, from the top.
+  int shownRow(int row) const { return header_.from_top ? row : header_.height - 1 - row; }
+
+  /// The texel that is shown there in a row of the file.
+  const std::uint8_t* texelAt(int x, int row) const {
     const int column = header_.from_right ? header_.width - 1 - x : x;
-    const int row = header_.from_top ? y : header_.height - 1 - y;
     return texels_.data() +
            (std::size_t(row) * std::size_t(header_.width) + std::size_t(column)) * header_.texelBytes();
   }
@@ -205,10 +213,10 @@ class TgaReader {
 
   Result<void> checkIndices() const {
     if (header_.kind != Kind::palette) return {};
-    for (int y = 0; y < header_.height; ++y)
+    for (int row = 0; row < rows_; ++row)
       for (int x = 0; x < header_.width; ++x)
-        if (indexOf(texelAt(x, y)) >= palette_.size())
-          return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(y) +
+        if (indexOf(texelAt(x, row)) >= palette_.size())
+          return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(shownRow(row)) +
                                                ") has a colour that the palette of " + std::to_string(palette_.size()) +
                                                " does not; the file is damaged");
     return {};
@@ -224,6 +232,7 @@ class TgaReader {
   const TgaHeader& header_;
   std::unique_ptr<std::uint8_t[]> unpacked_;
   Span texels_;
+  int rows_ = 0;  ///< that the file holds whole
   std::vector<TgaColor> palette_;
 };
 
@@ -234,11 +243,14 @@ bool isTga(Span bytes) { return hasFooter(bytes) || readTgaHeader(bytes); }
 Result<CodedFile> decodeTga(Span bytes, CodeForm) {
   const auto header = readTgaHeader(bytes);
   if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
-  MIRRORBALL_TRY(codes, TgaReader(bytes, *header).read());
+  TgaReader reader(bytes, *header);
+  MIRRORBALL_TRY(codes, reader.read());
   std::string format = "TGA, " + std::to_string(header->bits) + " bit";
   if (header->kind == Kind::palette) format += " palette";
   if (header->is_run_length_coded) format += ", RLE";
-  return CodedFile{.codes = std::move(codes), .format = std::move(format)};
+  CodedFile file{.codes = std::move(codes), .format = std::move(format)};
+  if (reader.missingRows() > 0) file.oddities.push_back(earlyEndText(std::size_t(reader.missingRows())));
+  return file;
 }
 
 }  // namespace mirrorball

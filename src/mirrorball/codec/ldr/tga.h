@@ -16,9 +16,9 @@ bool isTga(std::span<const std::uint8_t> bytes);
 
 /// Decodes a TGA, plain or run-length coded, of 8-bit grey (with or without alpha), a palette, or 15, 16, 24 or 32
 /// bits, whichever corner it begins at. Samples are taken as sRGB. Alpha is what the header says is alpha, unless all
-/// of it is 0; premultiplied where the extension area says so.
+/// of it is 0; premultiplied where the extension area says so. Rows that the file ends before are black, with a remark.
 ///
-/// errors   bad_file; too_large
+/// errors   bad_file (also: no row is whole); too_large
 /// from     Truevision TGA File Format Specification, version 2.0 (1991)
 Result<CodedFile> decodeTga(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 

@@ -112,7 +112,7 @@ TEST(Tga, RunsMayGoOnInTheNextRow) {
   std::vector<int> reds;
   for (std::size_t i = 0; i < all.size(); i += 4) reds.push_back(all[i]);
   EXPECT_THAT(reds, ElementsAre(9, 9, 1, 2, 3, 4));
-  EXPECT_THAT(refusedTga(tgaFile(form, {129, 9, 2, 1, 2, 3, 0})).message, HasSubstr("ends at byte 25"));
+  EXPECT_THAT(refusedTga(tgaFile(form, {129, 9, 2, 1})).message, HasSubstr("ends at byte 22"));
 }
 
 TEST(Tga, IsToldByItsFooterOrByAPlausibleHeader) {

@@ -25,15 +25,16 @@ constexpr std::array<bool (*)(Span), kImageFormats.size()> kBegins{
     isHdr, isExr, isPng, isJpeg, isKtx2, isKtx1, isDds, isTiff, isWebp, isAvif, isJxl, isTga, isBmp, isPnm, isPfm};
 
 /// The largest level of a texture of one face: its first picture, if it is an array.
-Result<DecodedImage> decodeTexturePicture(Span bytes) {
-  MIRRORBALL_TRY(texture, decodeImageSet(bytes));
+Result<DecodedImage> decodeTexturePicture(Span bytes, const ImageReadOptions& options) {
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes, options.as));
   if (texture.images.faces() != 1)
     return fail(ErrorCode::bad_shape, "is the texture of a cube, where one picture is wanted");
   return DecodedImage{.image = std::move(texture.images.at(0, 0)),
                       .metadata = std::move(texture.metadata),
                       .format = std::move(texture.format),
                       .color = std::move(texture.color),
-                      .oddities = std::move(texture.oddities)};
+                      .oddities = std::move(texture.oddities),
+                      .is_converted = texture.is_converted};
 }
 
 Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& options) {
@@ -45,12 +46,11 @@ Result<std::unique_ptr<RowReader>> openHdrRowsOfPicture(FileReader file, const I
   return openHdrRows(std::move(file));
 }
 
-constexpr FormatCodec kTexture{.decode = withoutOptions<decodeTexturePicture>};
+constexpr FormatCodec kTexture{.decode = decodeTexturePicture};
 
 /// What needs no library.
 constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
-    {ImageFormatId::hdr,
-     {.decode = withoutOptions<decodeHdr>, .open_rows = openHdrRowsOfPicture, .encode = encodeHdrLight}},
+    {ImageFormatId::hdr, {.decode = decodeHdr, .open_rows = openHdrRowsOfPicture, .encode = encodeHdrLight}},
     {ImageFormatId::ktx2, kTexture},
     {ImageFormatId::ktx, kTexture},
     {ImageFormatId::dds, kTexture},

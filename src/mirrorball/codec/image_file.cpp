@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/foreign_file.h"
@@ -45,24 +46,25 @@ Result<void> checkLayer(const ImageReadOptions& options, bool has_layers) {
   return fail(ErrorCode::not_found, "has no layers, and none that is named '" + excerpt(options.layer) + "'");
 }
 
+/// The codec of a file that holds integers; nullptr of any other.
+const FormatCodec* codecOfIntegers(Span bytes) {
+  const Result<const FormatCodec*> codec = codecFor(bytes);
+  if (!codec || !*codec || !(*codec)->decode_codes) return nullptr;
+  return !(*codec)->holds_integers || (*codec)->holds_integers(bytes) ? *codec : nullptr;
+}
+
 Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
   if (!codec) return unknownFormat(bytes, readFormatNames());
-  if (codec->decode) {
+  const bool are_numbers_of_codes = options.as == ReadAs::numbers && codecOfIntegers(bytes) != nullptr;
+  if (codec->decode && !are_numbers_of_codes) {
     MIRRORBALL_TRY(decoded, codec->decode(bytes, options));
     MIRRORBALL_TRY_VOID(checkLayer(options, !decoded.layer.empty()));
     return decoded;
   }
   MIRRORBALL_TRY_VOID(checkLayer(options, false));
   MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::stored));
-  return asImage(std::move(file));
-}
-
-/// The codec of a file that holds integers; nullptr of any other.
-const FormatCodec* codecOfIntegers(Span bytes) {
-  const Result<const FormatCodec*> codec = codecFor(bytes);
-  if (!codec || !*codec || !(*codec)->decode_codes) return nullptr;
-  return !(*codec)->holds_integers || (*codec)->holds_integers(bytes) ? *codec : nullptr;
+  return asImage(std::move(file), options.as);
 }
 
 Result<PictureCodes> decodeCodesByMagic(Span bytes) {
@@ -76,23 +78,28 @@ Result<PictureCodes> decodeCodesByMagic(Span bytes) {
   return asCodes(std::move(file));
 }
 
-/// What is made of a file: of its integers, or else of its light.
-///
-/// of_codes  (CodedFile) → Decoded<Picture>
-/// of_light  (Image) → Picture
-template <typename Picture, typename OfCodes, typename OfLight>
-Result<Decoded<Picture>> decodeAs(Span bytes, CodeForm form, const ImageReadOptions& options, const OfCodes& of_codes,
-                                  const OfLight& of_light) {
-  if (const FormatCodec* codec = codecOfIntegers(bytes)) {
-    MIRRORBALL_TRY_VOID(checkLayer(options, false));
-    MIRRORBALL_TRY(file, codec->decode_codes(bytes, form));
-    return of_codes(std::move(file));
-  }
-  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, options));
-  return Decoded<Picture>{of_light(std::move(decoded.image)), std::move(decoded.oddities), decoded.is_layer_guessed};
+/// What an image takes while alpha is put to it [bytes].
+std::uint64_t bytesWithAlpha(const Image& image) {
+  const std::uint64_t own = image.samples().size_bytes();
+  return image.channels() == 4 ? own : own + std::uint64_t{4} * sizeof(float) * image.texelCount();
 }
 
-Texels floatTexels(Image light) { return withAlpha(std::move(light)); }
+Result<Decoded<Texels>> decodeTexels(Span bytes, const ImageReadOptions& options) {
+  if (const FormatCodec* codec = codecOfIntegers(bytes)) {
+    MIRRORBALL_TRY_VOID(checkLayer(options, false));
+    MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::rgba));
+    return asTexels(std::move(file), options.as);
+  }
+  MIRRORBALL_TRY(decoded, decodeByMagic(bytes, options));
+  MIRRORBALL_TRY_VOID(checkMemory(bytesWithAlpha(decoded.image)));
+  return Decoded<Texels>{withAlpha(std::move(decoded.image)), std::move(decoded.oddities), decoded.is_layer_guessed,
+                         decoded.is_converted};
+}
+
+ImageReadOptions asNumbers(ImageReadOptions options) {
+  options.as = ReadAs::numbers;
+  return options;
+}
 
 Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options) {
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
@@ -159,19 +166,16 @@ Result<Image8> decodeTexture(Span bytes) {
 }
 
 Result<Decoded<Texels>> decodeColorTexture(Span bytes) {
-  return withinMemory<Decoded<Texels>>(
-      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, {}, asColorTexture, floatTexels); });
+  return withinMemory<Decoded<Texels>>([&] { return decodeTexels(bytes, {}); });
 }
 
 Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ImageReadOptions& options) {
-  return withinMemory<Decoded<Texels>>(
-      [&] { return decodeAs<Texels>(bytes, CodeForm::rgba, options, asDataTexture, floatTexels); });
+  return withinMemory<Decoded<Texels>>([&] { return decodeTexels(bytes, asNumbers(options)); });
 }
 
 Result<Decoded<Image>> decodeNumbers(Span bytes, const ImageReadOptions& options) {
-  return withinMemory<Decoded<Image>>([&] {
-    return decodeAs<Image>(bytes, CodeForm::stored, options, asNumbers, [](Image numbers) { return numbers; });
-  });
+  MIRRORBALL_TRY(decoded, decodeImage(bytes, asNumbers(options)));
+  return Decoded<Image>{std::move(decoded.image), std::move(decoded.oddities), decoded.is_layer_guessed};
 }
 
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {

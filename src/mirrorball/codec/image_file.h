@@ -56,7 +56,7 @@ struct PictureLayer {
 
 /// An image as it comes from a file.
 struct DecodedImage {
-  Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
+  Image image;  ///< linear light, Rec.709, or numbers (ImageReadOptions::as); 1, 3 or 4 channels
   Metadata metadata;
   std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
@@ -67,12 +67,21 @@ struct DecodedImage {
   std::string layer = {};                    ///< the one that was read, of a format that has layers
   bool is_layer_guessed = false;             ///< none was asked for, and the first of `oddities` tells of the choice
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
+  bool is_converted = false;               ///< read as numbers, the file would give other samples
+};
+
+/// What the samples of an image's file are.
+enum class ReadAs {
+  light,    ///< colours: brought to linear light with Rec.709's primaries by what the file states
+  numbers,  ///< not colours, as normals, roughness and heights: as the file holds them, integers as fractions of their
+            ///< greatest; a colour space that the file states is not applied, with a remark
 };
 
 /// How to read an image's file.
 struct ImageReadOptions {
   std::string layer = {};          ///< of a file of several pictures (DecodedImage::layers); empty: the picture
   ProgressFunction progress = {};  ///< told by OpenEXR and TIFF, which take seconds for large compressed pictures
+  ReadAs as = ReadAs::light;
 };
 
 /// What is read of a picture's file, upright, with remarks on the file.
@@ -81,6 +90,7 @@ struct Decoded {
   Picture picture;
   std::vector<std::string> oddities = {};  ///< DecodedImage's
   bool is_layer_guessed = false;           ///< DecodedImage's
+  bool is_converted = false;               ///< DecodedImage's
 };
 
 /// A picture as a camera or a program encoded it.
@@ -145,9 +155,9 @@ Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
 /// The codes alone, for files that need no remark.
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
-/// Decodes a picture whose numbers are no colours, such as heights or normals: integers of 8 or 16 bits as shares of
-/// their greatest, without a colour's curve or primaries, floats as decodeImage does.
+/// Decodes a picture as ReadAs::numbers.
 ///
+/// options  of which `as` does not count
 /// returns  1, 3 or 4 channels
 /// errors   as decodeImage's
 Result<Decoded<Image>> decodeNumbers(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
@@ -159,9 +169,10 @@ Result<Decoded<Image>> decodeNumbers(std::span<const std::uint8_t> bytes, const 
 /// errors   as decodeImage's
 Result<Decoded<Texels>> decodeColorTexture(std::span<const std::uint8_t> bytes);
 
-/// Decodes a texture whose numbers are not colours: codes of 8 bits as they are stored; finer ones, and floats, as
-/// decodeNumbers does.
+/// Decodes a texture as ReadAs::numbers: codes of 8 bits as they are stored; finer ones, and floats, as decodeNumbers
+/// does.
 ///
+/// options  of which `as` does not count
 /// returns  4 channels, alpha 1 where the file has none
 /// errors   as decodeImage's
 Result<Decoded<Texels>> decodeDataTexture(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});

@@ -4,29 +4,31 @@
 #include <atomic>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <variant>
 
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 
 namespace {
 
-Result<Texels> decodeWithin(MemoryBudget& budget, const EncodedPicture& picture, std::vector<std::string>& oddities) {
+Result<Decoded<Texels>> decodeWithin(MemoryBudget& budget, const EncodedPicture& picture,
+                                     std::vector<std::string>& oddities) {
   MemoryShare share(budget);
-  MIRRORBALL_TRY(read, picture.shows_colors ? decodeColorTexture(picture.bytes) : decodeDataTexture(picture.bytes));
+  MIRRORBALL_TRY(read,
+                 picture.as == ReadAs::light ? decodeColorTexture(picture.bytes) : decodeDataTexture(picture.bytes));
   const auto bytesOf = [](const auto& texels) { return texels.samples().size_bytes(); };
   MIRRORBALL_TRY_VOID(share.keep(std::visit(bytesOf, read.picture)));
-  oddities = std::move(read.oddities);
-  return std::move(read.picture);
+  oddities = std::exchange(read.oddities, {});
+  return read;
 }
 
 }  // namespace
 
-std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
-                                           const ProgressFunction& progress, const PictureRemark& remark) {
-  std::vector<Result<Texels>> images(pictures.size());
+std::vector<Result<Decoded<Texels>>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+                                                    const ProgressFunction& progress, const PictureRemark& remark) {
+  std::vector<Result<Decoded<Texels>>> images(pictures.size());
   std::vector<std::vector<std::string>> oddities(pictures.size());
   // The largest first, so that at the end no processor is left alone with one.
   std::vector<std::size_t> order(pictures.size());

@@ -10,6 +10,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -17,7 +18,7 @@ namespace mirrorball {
 /// A picture as it lies in a model's file or beside it.
 struct EncodedPicture {
   std::span<const std::uint8_t> bytes;
-  bool shows_colors = false;  ///< what some material reads in it is a colour: decodeColorTexture
+  ReadAs as = ReadAs::numbers;  ///< light: what a material reads in it is a colour
 };
 
 /// Receives what is odd about a picture's file and how it was read: a line without its name.
@@ -29,8 +30,10 @@ using PictureRemark = std::function<void(std::size_t picture, const std::string&
 /// budget    from which the images' memory is taken, and that of decoding each while it lasts
 /// progress  counts bytes of pictures; may stop the rest
 /// remark    called at the end, in the order of the pictures
-/// returns   for each picture its image of 4 channels, or why it cannot be read: interrupted, if it was not
-std::vector<Result<Texels>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
-                                           const ProgressFunction& progress = {}, const PictureRemark& remark = {});
+/// returns   for each picture its image of 4 channels, without the remarks, or why it cannot be read: interrupted, if it
+///           was not
+std::vector<Result<Decoded<Texels>>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
+                                                    const ProgressFunction& progress = {},
+                                                    const PictureRemark& remark = {});
 
 }  // namespace mirrorball

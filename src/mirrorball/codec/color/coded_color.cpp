@@ -83,6 +83,23 @@ float lightOf(float code, const CodedColor& color) {
   return code;
 }
 
+/// Of the curve.
+std::string curveName(const CodedColor& color) {
+  switch (color.transfer) {
+    case Transfer::rec709:
+      return "Rec.709's curve";
+    case Transfer::pq:
+      return "PQ";
+    case Transfer::hlg:
+      return "HLG";
+    case Transfer::linear:
+    case Transfer::gamma:
+    case Transfer::srgb:
+      break;
+  }
+  return curveName(*curveOf(color));
+}
+
 }  // namespace
 
 CodedColor codedColor(int primaries, int transfer) {
@@ -140,6 +157,21 @@ std::optional<TransferCurve> curveOf(const CodedColor& color) {
   return std::nullopt;
 }
 
+std::string statedSpace(const CodedColor& color, int channels) {
+  if (!color.unread_profile.empty())
+    return color.unread_profile.starts_with("sRGB") ? "" : "an ICC profile, " + color.unread_profile;
+  const bool has_other_primaries = channels >= 3 && color.primaries && rec709FromPrimaries(*color.primaries);
+  const bool is_usual = color.transfer == Transfer::srgb || color.transfer == Transfer::linear;
+  if (is_usual && !has_other_primaries) return {};
+  return curveName(color) + (has_other_primaries ? ", " + primariesName(*color.primaries) : "");
+}
+
+void tellUnapplied(const std::string& space, std::vector<std::string>& oddities) {
+  if (!space.empty())
+    oddities.push_back("states a colour space (" + space +
+                       "), which does not count for numbers: they are read as they are stored");
+}
+
 int codePointOf(OutputPrimaries primaries) {
   constexpr int kRec709Number = 1;
   constexpr int kRec2020Number = 9;
@@ -148,7 +180,8 @@ int codePointOf(OutputPrimaries primaries) {
   return primaries == OutputPrimaries::rec2020 ? kRec2020Number : kRec709Number;
 }
 
-void decodeColor(Image& codes, const CodedColor& color) {
+bool decodeColor(Image& codes, const CodedColor& color) {
+  if (color.transfer == Transfer::linear) return convertToRec709(codes, color.primaries);
   constexpr std::size_t kTexelsPerPiece = 1 << 14;
   const auto stride = static_cast<std::size_t>(codes.channels());
   const std::size_t colors = std::min<std::size_t>(stride, 3);
@@ -163,6 +196,7 @@ void decodeColor(Image& codes, const CodedColor& color) {
     }
   });
   convertToRec709(codes, color.primaries);
+  return true;
 }
 
 std::string describeColor(const CodedColor& color, int channels) {
@@ -173,19 +207,8 @@ std::string describeColor(const CodedColor& color, int channels) {
     constexpr std::string_view kLinear = "linear";
     return std::string(name) + describeColor(kLinearLight, color.primaries, channels).substr(kLinear.size());
   };
-  switch (color.transfer) {
-    case Transfer::rec709:
-      return named("Rec.709's curve");
-    case Transfer::pq:
-      return named("PQ");
-    case Transfer::hlg:
-      return named("HLG");
-    case Transfer::linear:
-    case Transfer::gamma:
-    case Transfer::srgb:
-      break;
-  }
-  return describeColor(*curveOf(color), color.primaries, channels);
+  if (const auto curve = curveOf(color)) return describeColor(*curve, color.primaries, channels);
+  return named(curveName(color));
 }
 
 }  // namespace mirrorball

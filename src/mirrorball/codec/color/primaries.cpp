@@ -52,8 +52,9 @@ constexpr NamedPrimaries kNamed[] = {
     {"CIE XYZ", kCieXyz},
 };
 
-/// A well-known name, else "red 0.61 0.33, green …".
-std::string textOf(const Primaries& primaries) {
+}  // namespace
+
+std::string primariesName(const Primaries& primaries) {
   const auto* named = std::find_if(std::begin(kNamed), std::end(kNamed),
                                    [&](const NamedPrimaries& known) { return areNear(known.primaries, primaries); });
   if (named != std::end(kNamed)) return std::string(named->name);
@@ -65,12 +66,10 @@ std::string textOf(const Primaries& primaries) {
          ", white " + text(primaries.white);
 }
 
-std::string textOf(const TransferCurve& curve) {
+std::string curveName(const TransferCurve& curve) {
   if (!curve.power) return "sRGB";
   return *curve.power == 1.0 ? "linear" : "gamma " + formatNumber(std::round(*curve.power * 1e3) / 1e3);
 }
-
-}  // namespace
 
 bool arePossible(const Primaries& primaries) {
   const glm::dvec2 a = primaries.green - primaries.red;
@@ -99,17 +98,19 @@ glm::dmat3 rec709Matrix(const Primaries& primaries) {
 }
 
 std::string describeColor(const TransferCurve& curve, const std::optional<Primaries>& stated, int channels) {
-  const std::string encoding = textOf(curve);
+  const std::string encoding = curveName(curve);
   if (channels < 3) return encoding + ", grey";
   if (stated && !arePossible(*stated)) return encoding + ", Rec.709 assumed: the file's primaries are none";
   if (stated && !areNear(*stated, kRec709))
-    return encoding + ", primaries of the file (" + textOf(*stated) + "): converted";
+    return encoding + ", primaries of the file (" + primariesName(*stated) + "): converted";
   return curve.power ? encoding + ", Rec.709" : encoding;  // sRGB has these primaries by its name
 }
 
-void convertToRec709(Image& image, const std::optional<Primaries>& stated) {
-  if (!stated || image.channels() < 3) return;
-  if (const auto matrix = rec709FromPrimaries(*stated)) transformColors(image, *matrix);
+bool convertToRec709(Image& image, const std::optional<Primaries>& stated) {
+  if (!stated || image.channels() < 3) return false;
+  const auto matrix = rec709FromPrimaries(*stated);
+  if (matrix) transformColors(image, *matrix);
+  return matrix.has_value();
 }
 
 void transformColors(Image& image, const glm::mat3& matrix, float rounding) {

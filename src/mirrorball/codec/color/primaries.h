@@ -64,6 +64,12 @@ struct TransferCurve {
 inline constexpr TransferCurve kLinearLight{1.0};
 inline constexpr TransferCurve kSrgbCurve{};
 
+/// A well-known name, else "red 0.61 0.33, green …".
+std::string primariesName(const Primaries& primaries);
+
+/// "sRGB", "linear", "gamma 1.8"
+std::string curveName(const TransferCurve& curve);
+
 /// What a file says of its colour and what was done about it, as `info` prints it: "sRGB"; "linear, Rec.709"; "linear,
 /// primaries of the file (Rec.2020): converted". Well-known primaries are named, others written out.
 ///
@@ -73,7 +79,9 @@ std::string describeColor(const TransferCurve& curve, const std::optional<Primar
 
 /// Brings linear colours of the primaries that a file states to Rec.709, where they are others and there are at least
 /// three channels.
-void convertToRec709(Image& image, const std::optional<Primaries>& stated);
+///
+/// returns  whether that changed them
+bool convertToRec709(Image& image, const std::optional<Primaries>& stated);
 
 /// Multiplies the first three channels of every texel.
 ///

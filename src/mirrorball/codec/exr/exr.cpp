@@ -83,11 +83,17 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ImageRead
     decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
     MIRRORBALL_TRY_VOID(readRows(part, options.progress, decoded.image));
   }
-  convertToRec709(decoded.image, part.primaries());
+  const CodedColor color{.transfer = Transfer::linear, .primaries = part.primaries()};
   decoded.metadata = part.metadata();
   decoded.format = part.describe();
-  decoded.color = describeColor(kLinearLight, part.primaries(), decoded.image.channels());
   part.tell(decoded);
+  if (options.as == ReadAs::light) {
+    decoded.is_converted = convertToRec709(decoded.image, color.primaries);
+    decoded.color = describeColor(color, decoded.image.channels());
+  } else {
+    tellUnapplied(statedSpace(color, decoded.image.channels()), decoded.oddities);
+    decoded.color = kAsStored;
+  }
   return decoded;
 }
 

@@ -30,6 +30,11 @@ Rgbe encodeTexel(glm::vec3 light) {
   return {{mantissa(light.x), mantissa(light.y), mantissa(light.z), static_cast<std::uint8_t>(exponent + 128)}};
 }
 
+/// Of primaries that count for nothing where the components are numbers.
+std::string spaceStatedBy(const HdrHeader& header) {
+  return statedSpace({.transfer = Transfer::linear, .primaries = header.xyz ? kCieXyz : header.primaries}, 3);
+}
+
 /// How many bytes from `at` on are the same, up to the longest run.
 std::size_t runLength(std::span<const std::uint8_t> plane, std::size_t at) {
   const std::size_t max = std::min(plane.size() - at, kLongestRun);
@@ -85,18 +90,21 @@ Bytes encodeLine(const Image& image, int y) {
 
 bool isHdr(std::span<const std::uint8_t> bytes) { return beginsWithHdrHeader(bytes); }
 
-Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes) {
+Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(header, parseHdrHeader(bytes));
   MIRRORBALL_TRY_VOID(checkLineBytes(header, bytes.size() - header.size));
   MIRRORBALL_TRY_VOID(checkImageMemory(header.width, header.height, 3));
   MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0));
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
+  const bool is_converted = options.as == ReadAs::light && convertToRec709(image, header);
+  if (options.as == ReadAs::numbers) tellUnapplied(spaceStatedBy(header), header.oddities);
   return DecodedImage{.image = std::move(image),
                       .metadata = std::move(header.metadata),
                       .format = describe(header, index.form),
-                      .color = describeColor(header),
-                      .oddities = std::move(header.oddities)};
+                      .color = options.as == ReadAs::light ? describeColor(header) : std::string(kAsStored),
+                      .oddities = std::move(header.oddities),
+                      .is_converted = is_converted};
 }
 
 Bytes encodeHdr(const Image& image, const Metadata& metadata, OutputPrimaries primaries) {

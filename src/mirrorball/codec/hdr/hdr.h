@@ -25,7 +25,7 @@ bool isHdr(std::span<const std::uint8_t> bytes);
 /// errors   bad_file (the line or byte is named); too_large; unsupported
 /// cost     O(width · height), on all cores
 /// from     G. Ward, "Real Pixels", Graphics Gems II; Radiance's "File formats"
-Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes);
+Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Encodes the first three channels (or the one, as grey) as RGBE in new RLE. Mantissas are rounded
 /// to nearest; what is negative or NaN becomes 0, and what is too bright the brightest that can be.

@@ -154,13 +154,6 @@ void storeLine(const std::uint8_t* planes, std::size_t length, glm::vec3 gain, L
   }
 }
 
-/// Brings the components to Rec.709.
-void convertColor(const HdrHeader& header, Image& image) {
-  if (!header.xyz) return convertToRec709(image, header.primaries);
-  transformColors(image, glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
-                                   formula::rec709FromXyz({0, 0, 1})));
-}
-
 }  // namespace
 
 std::size_t linesPerPiece(std::size_t line_length) {
@@ -216,7 +209,13 @@ void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, co
       storeLine(planes.data(), length, gain, placeOf(line, header, image));
     }
   });
-  convertColor(header, image);
+}
+
+bool convertToRec709(Image& components, const HdrHeader& header) {
+  if (!header.xyz) return convertToRec709(components, header.primaries);
+  transformColors(components, glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
+                                        formula::rec709FromXyz({0, 0, 1})));
+  return true;
 }
 
 }  // namespace mirrorball

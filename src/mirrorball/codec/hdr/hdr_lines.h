@@ -58,10 +58,15 @@ Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, std::size_t at
 /// The most bytes that a scan line may have.
 std::size_t longestLine(std::size_t line_length);
 
-/// Decodes lines to linear light in Rec.709, on all cores.
+/// Decodes lines to the components that they hold, on all cores.
 ///
 /// image    where they belong: as wide as the header says and as high as there are lines, or the other way round where
 ///          scan lines are columns
 void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, const HdrHeader& header, Image& image);
+
+/// Brings the components to linear light in Rec.709.
+///
+/// returns  whether that changed them
+bool convertToRec709(Image& components, const HdrHeader& header);
 
 }  // namespace mirrorball

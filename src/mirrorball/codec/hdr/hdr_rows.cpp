@@ -47,6 +47,7 @@ Result<Image> HdrRows::readRows(int count) {
   if (!index) return tl::unexpected<Error>(index.error());
   Image rows = Image::withoutValues(header_.width, count, 3);
   decodeLines(bytes, *index, header_, rows);
+  convertToRec709(rows, header_);
   next_byte_ += index->end;
   next_ += lines;
   return rows;

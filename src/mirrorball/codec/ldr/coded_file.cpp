@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/image/upright.h"
 
@@ -23,6 +24,27 @@ bool fitsCodes(const Image& light) {
 
 void tellUnreadProfile(CodedFile& file) {
   if (std::string remark = unreadProfileRemark(file.color); !remark.empty()) file.oddities.push_back(std::move(remark));
+}
+
+/// What a texture takes while floats are made of it [bytes]: its codes, floats with as many channels and with alpha, and
+/// the codes of 8 bits that are made of those.
+std::uint64_t bytesToConvert(const CodedPicture& picture) {
+  return std::visit(
+      [](const auto& codes) {
+        const auto channels = static_cast<std::uint64_t>(codes.channels());
+        const std::uint64_t of_light = (channels == 4 ? 0 : channels) + 4;
+        return std::uint64_t{codes.samples().size_bytes()} +
+               std::uint64_t{codes.texelCount()} * (sizeof(float) * of_light + 4);
+      },
+      picture);
+}
+
+/// As ReadAs::numbers.
+DecodedImage makeNumbers(CodedFile file) {
+  tellUnapplied(statedSpace(file.color, channelsOf(file.codes)), file.oddities);
+  DecodedImage image{sharesOf(file.codes), std::move(file.metadata), std::move(file.format), std::string(kAsStored)};
+  image.oddities = std::move(file.oddities);
+  return image;
 }
 
 /// The remark on colours that are not sRGB's as they stand.
@@ -53,35 +75,34 @@ void turnUpright(CodedFile& file) {
   file.orientation = 1;
 }
 
-DecodedImage asImage(CodedFile file) {
+DecodedImage asImage(CodedFile file, ReadAs as) {
   turnUpright(file);
+  if (as == ReadAs::numbers) return makeNumbers(std::move(file));
   tellUnreadProfile(file);
   Image light = lightOf(file.codes, file.color);
   std::string color = describeColor(file.color, light.channels());
   DecodedImage image{std::move(light), std::move(file.metadata), std::move(file.format), std::move(color)};
   image.oddities = std::move(file.oddities);
+  image.is_converted = true;
   return image;
 }
 
-Decoded<Texels> asColorTexture(CodedFile file) {
+Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as) {
   turnUpright(file);
+  const bool are_bytes = std::holds_alternative<Image8>(file.codes);
+  if (as == ReadAs::numbers) {
+    tellUnapplied(statedSpace(file.color, channelsOf(file.codes)), file.oddities);
+    if (!are_bytes) MIRRORBALL_TRY_VOID(checkMemory(bytesToConvert(file.codes)));
+    Texels texels = are_bytes ? Texels(textureOf(std::move(file.codes))) : Texels(withAlpha(sharesOf(file.codes)));
+    return Decoded<Texels>{std::move(texels), std::move(file.oddities)};
+  }
   tellColor(file);
-  if (isSrgb(file.color)) return {Texels(textureOf(std::move(file.codes))), std::move(file.oddities)};
+  if (isSrgb(file.color))
+    return Decoded<Texels>{Texels(textureOf(std::move(file.codes))), std::move(file.oddities), false, !are_bytes};
+  MIRRORBALL_TRY_VOID(checkMemory(bytesToConvert(file.codes)));
   Image light = withAlpha(lightOf(file.codes, file.color));
   Texels texels = fitsCodes(light) ? Texels(pictureFromLinear(light, 4)) : Texels(std::move(light));
-  return {std::move(texels), std::move(file.oddities)};
-}
-
-Decoded<Texels> asDataTexture(CodedFile file) {
-  turnUpright(file);
-  Texels texels = std::holds_alternative<Image8>(file.codes) ? Texels(textureOf(std::move(file.codes)))
-                                                             : Texels(withAlpha(sharesOf(file.codes)));
-  return {std::move(texels), std::move(file.oddities)};
-}
-
-Decoded<Image> asNumbers(CodedFile file) {
-  turnUpright(file);
-  return {sharesOf(file.codes), std::move(file.oddities)};
+  return Decoded<Texels>{std::move(texels), std::move(file.oddities), false, true};
 }
 
 PictureCodes asCodes(CodedFile file) {

@@ -39,21 +39,17 @@ std::string uprightRemark(int orientation, const std::string& source);
 /// Turns the codes upright, and says so.
 void turnUpright(CodedFile& file);
 
-/// Linear light with Rec.709's primaries, upright.
+/// Linear light with Rec.709's primaries, or numbers as fractions of the greatest code; upright.
 ///
-/// cost     the codes and the light stand side by side
-DecodedImage asImage(CodedFile file);
+/// cost     the codes and the result stand side by side
+DecodedImage asImage(CodedFile file, ReadAs as = ReadAs::light);
 
-/// A texture of colours, upright: sRGB's codes of 8 bits and Rec.709. What has other codes is converted, with a
-/// remark; to floats where some light is beyond what codes hold.
-Decoded<Texels> asColorTexture(CodedFile file);
-
-/// A texture of numbers, upright: codes of 8 bits as they are, others as shares. What the file says of colours means
-/// nothing.
-Decoded<Texels> asDataTexture(CodedFile file);
-
-/// Numbers as shares of the greatest code, upright.
-Decoded<Image> asNumbers(CodedFile file);
+/// A texture, upright, of 4 channels. Of colours: sRGB's codes of 8 bits and Rec.709; what has other codes is converted,
+/// with a remark, to floats where some light is beyond what codes hold. Of numbers: codes of 8 bits as they are, others
+/// as fractions of the greatest.
+///
+/// errors   too_large: colours that are converted stand beside the codes, as light and as a texture
+Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as = ReadAs::light);
 
 /// Codes of 8 bits as a camera made them, upright, and what they stand for.
 PictureCodes asCodes(CodedFile file);

@@ -37,10 +37,10 @@ TEST(CodedFile, IsTurnedUprightOnce) {
     const DecodedImage image = asImage(file());
     EXPECT_THAT(image.image.samples(), ElementsAreArray(linearFromPicture(expected).samples()));
     expectRemark(image.oddities);
-    const auto numbers = asNumbers(file());
-    EXPECT_EQ(numbers.picture.texel(2, 3)[1], static_cast<float>(expected.texel(2, 3)[1]) / 255.0f);
+    const DecodedImage numbers = asImage(file(), ReadAs::numbers);
+    EXPECT_EQ(numbers.image.texel(2, 3)[1], static_cast<float>(expected.texel(2, 3)[1]) / 255.0f);
     expectRemark(numbers.oddities);
-    for (const Decoded<Texels>& texture : {asColorTexture(file()), asDataTexture(file())}) {
+    for (const Decoded<Texels>& texture : {*asTexels(file()), *asTexels(file(), ReadAs::numbers)}) {
       EXPECT_EQ(std::get<Image8>(texture.picture).texel(2, 3)[1], expected.texel(2, 3)[1]);
       expectRemark(texture.oddities);
     }
@@ -59,7 +59,7 @@ TEST(CodedFile, OtherPrimariesBecomeSrgbsCodes) {
   Image8 codes(1, 1, 4, 77);
   for (int c = 0; c < 3; ++c) codes.texel(0, 0)[c] = srgb8FromLinear(p3[c]);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(asImage(fileWith(codes, kP3)).image.texel(0, 0)[c], light[c], 0.004f);
-  const auto texture = asColorTexture(fileWith(codes, kP3));
+  const Decoded<Texels> texture = *asTexels(fileWith(codes, kP3));
   ASSERT_TRUE(std::holds_alternative<Image8>(texture.picture));
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(std::get<Image8>(texture.picture).texel(0, 0)[c], srgb8FromLinear(light[c]), 1);
@@ -71,14 +71,14 @@ TEST(CodedFile, OtherPrimariesBecomeSrgbsCodes) {
 TEST(CodedFile, LightBeyondCodesBecomesFloats) {
   Image8 red(2, 1, 3, 0);
   red.texel(1, 0)[0] = 255;
-  const auto texture = asColorTexture(fileWith(red, kP3));
+  const Decoded<Texels> texture = *asTexels(fileWith(red, kP3));
   ASSERT_TRUE(std::holds_alternative<Image>(texture.picture));
   const Image& light = std::get<Image>(texture.picture);
   EXPECT_NEAR(light.texel(1, 0)[0], 1.2249f, 1e-3f);
   EXPECT_NEAR(light.texel(1, 0)[1], -0.0421f, 1e-3f);
   EXPECT_EQ(light.texel(1, 0)[3], 1.0f);
   // White stays white, whatever its primaries.
-  EXPECT_EQ(std::get<Image8>(asColorTexture(fileWith(Image8(1, 1, 3, 255), kP3)).picture).texel(0, 0)[0], 255);
+  EXPECT_EQ(std::get<Image8>(asTexels(fileWith(Image8(1, 1, 3, 255), kP3))->picture).texel(0, 0)[0], 255);
 }
 
 TEST(CodedFile, OtherCurvesBecomeSrgbsCodes) {
@@ -86,26 +86,45 @@ TEST(CodedFile, OtherCurvesBecomeSrgbsCodes) {
   const CodedColor gamma{Transfer::gamma, 1.8};
   const float light = std::pow(128.0f / 255.0f, 1.8f);
   EXPECT_NEAR(asImage(fileWith(grey, gamma)).image.texel(0, 0)[0], light, 1e-6f);
-  EXPECT_EQ(std::get<Image8>(asColorTexture(fileWith(grey, gamma)).picture).texel(0, 0)[2], srgb8FromLinear(light));
+  EXPECT_EQ(std::get<Image8>(asTexels(fileWith(grey, gamma))->picture).texel(0, 0)[2], srgb8FromLinear(light));
   const CodedColor pq{Transfer::pq};
-  EXPECT_NEAR(std::get<Image>(asColorTexture(fileWith(Image8(1, 1, 3, 255), pq)).picture).texel(0, 0)[0],
-              10000.0f / 203.0f, 1e-2f);
+  EXPECT_NEAR(std::get<Image>(asTexels(fileWith(Image8(1, 1, 3, 255), pq))->picture).texel(0, 0)[0], 10000.0f / 203.0f,
+              1e-2f);
 }
 
+// What the file states of its colours is named once, and not applied.
 TEST(CodedFile, NumbersKnowNoColours) {
   const Image8 source = codedPicture(3);
-  for (const CodedColor& color : {kP3, CodedColor{Transfer::pq}, CodedColor{.unread_profile = "Camera RGB"}}) {
-    const auto data = asDataTexture(fileWith(source, color));
-    EXPECT_EQ(std::get<Image8>(data.picture).texel(3, 2)[1], source.texel(3, 2)[1]);
-    EXPECT_THAT(data.oddities, IsEmpty());
-    const auto numbers = asNumbers(fileWith(source, color));
-    EXPECT_EQ(numbers.picture.texel(3, 2)[1], static_cast<float>(source.texel(3, 2)[1]) / 255.0f);
-    EXPECT_THAT(numbers.oddities, IsEmpty());
+  const std::pair<CodedColor, const char*> stated[]{
+      {kP3, "sRGB, Display P3"},
+      {{Transfer::gamma, 1.8, kAdobeRgb}, "gamma 1.8, Adobe RGB"},
+      {{Transfer::pq}, "PQ"},
+      {{.unread_profile = "Camera RGB"}, "an ICC profile, Camera RGB"},
+  };
+  for (const auto& [color, space] : stated) {
+    const auto remark = ElementsAre("states a colour space (" + std::string(space) +
+                                    "), which does not count for numbers: they are read as they are stored");
+    const auto data = asTexels(fileWith(source, color), ReadAs::numbers);
+    EXPECT_EQ(std::get<Image8>(data->picture).texel(3, 2)[1], source.texel(3, 2)[1]);
+    EXPECT_THAT(data->oddities, remark);
+    EXPECT_FALSE(data->is_converted);
+    EXPECT_TRUE(asTexels(fileWith(source, color))->is_converted != !color.unread_profile.empty());
+    const DecodedImage numbers = asImage(fileWith(source, color), ReadAs::numbers);
+    EXPECT_EQ(numbers.image.texel(3, 2)[1], static_cast<float>(source.texel(3, 2)[1]) / 255.0f);
+    EXPECT_THAT(numbers.oddities, remark);
   }
   const ImageOf<std::uint16_t> fine(1, 1, 1, 12345);
-  const auto data = asDataTexture(fileWith(fine));
-  EXPECT_THAT(std::get<Image>(data.picture).samples(),
+  const auto data = asTexels(fileWith(fine), ReadAs::numbers);
+  EXPECT_THAT(std::get<Image>(data->picture).samples(),
               ElementsAre(12345 / 65535.0f, 12345 / 65535.0f, 12345 / 65535.0f, 1.0f));
+}
+
+// sRGB's codes and plain linear numbers are what formats mean without a word.
+TEST(CodedFile, NumbersOfUsualColoursNeedNoRemark) {
+  for (const CodedColor& color : {CodedColor{}, CodedColor{Transfer::linear}, CodedColor{.primaries = kRec709},
+                                  CodedColor{.unread_profile = "sRGB IEC61966-2.1"}})
+    EXPECT_THAT(asTexels(fileWith(codedPicture(3), color), ReadAs::numbers)->oddities, IsEmpty());
+  EXPECT_THAT(asTexels(fileWith(codedPicture(1), kP3), ReadAs::numbers)->oddities, IsEmpty()) << "grey has no hue";
 }
 
 TEST(CodedFile, AProfileThatIsNotAppliedIsReported) {
@@ -114,7 +133,7 @@ TEST(CodedFile, AProfileThatIsNotAppliedIsReported) {
       "has an ICC profile (Camera RGB) without a matrix and one curve, which is not applied: "
       "taken as sRGB");
   EXPECT_THAT(asImage(fileWith(codedPicture(3), unread)).oddities, remark);
-  EXPECT_THAT(asColorTexture(fileWith(codedPicture(3), unread)).oddities, remark);
+  EXPECT_THAT(asTexels(fileWith(codedPicture(3), unread))->oddities, remark);
   EXPECT_THAT(asCodes(fileWith(codedPicture(3), unread)).oddities, remark);
   const CodedColor srgb{.unread_profile = "sRGB IEC61966-2.1"};
   EXPECT_THAT(asImage(fileWith(codedPicture(3), srgb)).oddities, IsEmpty());

@@ -172,16 +172,23 @@ bool jxlHoldsIntegers(Span bytes) {
 
 }  // namespace
 
-Result<DecodedImage> decodeJxl(Span bytes) {
+Result<DecodedImage> decodeJxl(Span bytes, const ImageReadOptions& options) {
   JxlFile file(bytes);
   MIRRORBALL_TRY_VOID(file.open());
   MIRRORBALL_TRY(stored, file.decode<float>(file.channels(), JXL_TYPE_FLOAT));
-  Image image = upright(std::move(stored), file.orientation());
-  decodeColor(image, file.color());
-  std::string color = describeColor(file.color(), image.channels());
-  DecodedImage decoded{std::move(image), {}, file.format(), std::move(color)};
-  for (std::string remark : {uprightRemark(file.orientation(), kJxlOrientation), unreadProfileRemark(file.color())})
-    if (!remark.empty()) decoded.oddities.push_back(std::move(remark));
+  DecodedImage decoded{upright(std::move(stored), file.orientation()), {}, file.format()};
+  if (std::string remark = uprightRemark(file.orientation(), kJxlOrientation); !remark.empty())
+    decoded.oddities.push_back(std::move(remark));
+  const int channels = decoded.image.channels();
+  if (options.as == ReadAs::numbers) {
+    tellUnapplied(statedSpace(file.color(), channels), decoded.oddities);
+    decoded.color = kAsStored;
+    return decoded;
+  }
+  decoded.is_converted = decodeColor(decoded.image, file.color());
+  decoded.color = describeColor(file.color(), channels);
+  if (std::string remark = unreadProfileRemark(file.color()); !remark.empty())
+    decoded.oddities.push_back(std::move(remark));
   return decoded;
 }
 
@@ -205,7 +212,7 @@ Result<CodedFile> decodeJxlCodes(Span bytes, CodeForm form) {
 }
 
 FormatCodec jxlCodec() {
-  return {.decode = withoutOptions<decodeJxl>, .decode_codes = decodeJxlCodes, .holds_integers = jxlHoldsIntegers};
+  return {.decode = decodeJxl, .decode_codes = decodeJxlCodes, .holds_integers = jxlHoldsIntegers};
 }
 
 }  // namespace mirrorball

@@ -14,7 +14,7 @@ namespace mirrorball {
 ///
 /// errors   bad_file; too_large; unsupported (an animation)
 /// from     ISO/IEC 18181-1:2022, annex D.3 (orientation); 18181-2:2021, 9.4 (Exif)
-Result<DecodedImage> decodeJxl(std::span<const std::uint8_t> bytes);
+Result<DecodedImage> decodeJxl(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 
 /// Decodes one of integers to its codes of 8 bits, or of 16 if it has more: 3 or 4 channels.
 Result<CodedFile> decodeJxlCodes(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);

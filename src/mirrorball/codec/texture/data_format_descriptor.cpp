@@ -121,7 +121,7 @@ std::uint8_t primariesNumber(OutputPrimaries primaries) {
 }  // namespace
 
 Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
-                                                std::size_t size) {
+                                                std::size_t size, ReadAs as) {
   const std::string place = "the data format descriptor at byte " + std::to_string(begin);
   const std::uint8_t* descriptor = bytes.data() + begin;
   // SlimKTX2 made the environments of the glTF Sample Viewer so (KhronosGroup/glTF-Sample-Environments#6).
@@ -136,7 +136,8 @@ Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> by
   color.primaries = primariesOf(descriptor[13]);
   const int transfer = descriptor[14];
   color.srgb = transfer == kTransferSrgb;
-  if (transfer > kTransferSrgb)
+  color.has_other_curve = transfer > kTransferSrgb;
+  if (color.has_other_curve && as == ReadAs::light)
     return fail(ErrorCode::unsupported, place + " names the transfer function " + std::to_string(transfer) +
                                             "; only linear (1) and sRGB (2) are read: convert the texture");
   return color;

@@ -18,6 +18,7 @@ inline constexpr std::uint8_t kModelUastcHdr = 167;
 struct DescribedColor {
   int model = 1;  ///< 1: red, green, blue, alpha; 163, 166 and 167 are Basis Universal's
   bool srgb = false;
+  bool has_other_curve = false;        ///< neither linear nor sRGB's
   std::optional<Primaries> primaries;  ///< nothing where they are Rec.709's or unspecified
   bool is_missing = false;             ///< the file has none, or an empty one
 };
@@ -26,10 +27,11 @@ struct DescribedColor {
 ///
 /// bytes    the whole file
 /// begin    where the descriptor begins, and `size` its bytes: both within the file
+/// as       of numbers no transfer function counts
 /// errors   bad_file (the byte is named); unsupported (a transfer function other than linear and sRGB)
 /// from     Khronos Data Format Specification 1.4, "The Khronos Basic Data Format Descriptor Block"
 Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
-                                                std::size_t size);
+                                                std::size_t size, ReadAs as = ReadAs::light);
 
 /// The descriptor of one of the formats that are written: linear light, straight alpha.
 Bytes dataFormatDescriptor(TexelFormat format, OutputPrimaries primaries = OutputPrimaries::rec709);

@@ -256,7 +256,8 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
   return header;
 }
 
-Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header) {
+/// format   of the texels, in its reading
+Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header, const StoredFormat& format) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int layer = 0; layer < images.layers(); ++layer)
@@ -265,7 +266,7 @@ Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header)
         const std::uint64_t size = imageSize(shape, header.format, level, header.row_alignment);
         const auto row =
             static_cast<std::size_t>(size / blocksAlong(header.format, std::uint64_t(shape.heightAt(level))));
-        MIRRORBALL_TRY(image, unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level)));
+        MIRRORBALL_TRY(image, unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level)));
         images.at(level, face, layer) = std::move(image);
         texels += size;
       }
@@ -276,7 +277,7 @@ Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header)
 
 bool isDds(Span bytes) { return bytes.size() >= 4 && littleU32(bytes.data()) == kMagic; }
 
-Result<DecodedImageSet> decodeDds(Span bytes) {
+Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
   MIRRORBALL_TRY(header, readDdsHeader(bytes));
   const std::uint64_t expected = header.texelBytes();
   if (expected > bytes.size() - header.size)
@@ -285,12 +286,16 @@ Result<DecodedImageSet> decodeDds(Span bytes) {
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format));
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
-  MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header));
+  const StoredFormat format = as == ReadAs::light ? header.format : withoutCurve(header.format);
+  MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header, format));
+  if (format != header.format && !header.encoding_assumed) tellUnapplied("sRGB", header.oddities);
+  const std::string color = describeColor(curveOf(format), {}, imageChannels(format)) + assumed;
   return DecodedImageSet{.images = std::move(images),
                          .metadata = {},
                          .format = "DDS, " + nameOf(header.format) + assumed,
-                         .color = describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed,
-                         .oddities = std::move(header.oddities)};
+                         .color = as == ReadAs::light ? color : std::string(kAsStored),
+                         .oddities = std::move(header.oddities),
+                         .is_converted = format.type == SampleType::srgb8};
 }
 
 }  // namespace mirrorball

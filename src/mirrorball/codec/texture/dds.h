@@ -19,7 +19,7 @@ bool isDds(std::span<const std::uint8_t> bytes);
 ///
 /// errors   as decodeImageSet
 /// from     Microsoft, "Programming Guide for DDS" and "DDS_HEADER_DXT10"
-Result<DecodedImageSet> decodeDds(std::span<const std::uint8_t> bytes);
+Result<DecodedImageSet> decodeDds(std::span<const std::uint8_t> bytes, ReadAs as = ReadAs::light);
 
 /// Where the images of a DDS file with the DX10 header stand: by layer, face, level. Metadata is dropped.
 TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options);

@@ -98,7 +98,7 @@ Result<StoredFormat> ktx1TexelFormat(std::uint32_t gl_type, std::uint32_t gl_for
 /// Walks over the levels: a size, then images, all at multiples of 4.
 class Reader {
  public:
-  explicit Reader(Span bytes) : bytes_(bytes) {}
+  Reader(Span bytes, ReadAs as) : bytes_(bytes), as_(as) {}
 
   Result<DecodedImageSet> read() {
     if (bytes_.size() < kKtx1HeaderSize) return truncated("the header");
@@ -110,7 +110,8 @@ class Reader {
     if (u32(44) > 1) return unsupportedTexture("a three-dimensional texture", kKtx1Instead);
     if (shape.height == 0 && shape.width > 0) return unsupportedTexture("a one-dimensional texture", kKtx1Instead);
     MIRRORBALL_TRY_VOID(checkTextureShape(shape));
-    MIRRORBALL_TRY(format, ktx1TexelFormat(u32(16), u32(24), u32(28)));
+    MIRRORBALL_TRY(stored, ktx1TexelFormat(u32(16), u32(24), u32(28)));
+    const StoredFormat format = as_ == ReadAs::light ? stored : withoutCurve(stored);
 
     const std::uint32_t key_value_size = u32(60);
     if (key_value_size > bytes_.size() - kKtx1HeaderSize) return truncated("the key/value data");
@@ -122,11 +123,14 @@ class Reader {
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
     if (!values.swizzle.empty()) oddities_.push_back(swizzleRemark(values));
+    if (format != stored) tellUnapplied("sRGB", oddities_);
+    const std::string color = describeColor(curveOf(format), {}, imageChannels(format));
     return DecodedImageSet{.images = std::move(images),
                            .metadata = std::move(values.metadata),
-                           .format = "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),
-                           .color = describeColor(curveOf(format), {}, imageChannels(format)),
-                           .oddities = std::move(oddities_)};
+                           .format = "KTX1, " + nameOf(stored) + (big_endian_ ? ", big-endian" : ""),
+                           .color = as_ == ReadAs::light ? color : std::string(kAsStored),
+                           .oddities = std::move(oddities_),
+                           .is_converted = format.type == SampleType::srgb8};
   }
 
  private:
@@ -199,6 +203,7 @@ class Reader {
   }
 
   Span bytes_;
+  ReadAs as_;
   bool big_endian_ = false;
   std::size_t at_ = 0;
   std::vector<std::string> oddities_ = {};
@@ -210,6 +215,6 @@ bool isKtx1(Span bytes) {
   return bytes.size() >= kIdentifier.size() && std::equal(kIdentifier.begin(), kIdentifier.end(), bytes.begin());
 }
 
-Result<DecodedImageSet> decodeKtx1(Span bytes) { return Reader(bytes).read(); }
+Result<DecodedImageSet> decodeKtx1(Span bytes, ReadAs as) { return Reader(bytes, as).read(); }
 
 }  // namespace mirrorball

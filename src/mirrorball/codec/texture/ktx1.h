@@ -17,7 +17,7 @@ bool isKtx1(std::span<const std::uint8_t> bytes);
 ///
 /// errors   as decodeImageSet
 /// from     KTX File Format Specification, version 1 (Khronos, 2013)
-Result<DecodedImageSet> decodeKtx1(std::span<const std::uint8_t> bytes);
+Result<DecodedImageSet> decodeKtx1(std::span<const std::uint8_t> bytes, ReadAs as = ReadAs::light);
 
 /// Where the images of a KTX 1 file stand: largest level first. The header ends with the size of the first level;
 /// before each of the others stands its own.

@@ -104,7 +104,7 @@ Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
 }
 
 /// The format of the texels once they are decompressed.
-Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedColor& color) {
+Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedColor& color, ReadAs as) {
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
@@ -117,7 +117,7 @@ Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedCo
     return unsupportedTexture("supercompression scheme " + std::to_string(header.scheme), kKtx2Instead);
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
   if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
-  if (color.srgb && format->type != SampleType::srgb8)
+  if (color.srgb && format->type != SampleType::srgb8 && as == ReadAs::light)
     return unsupportedTexture(nameOf(*format) + " encoded as sRGB", kKtx2Instead);
   return *format;
 }
@@ -187,6 +187,15 @@ Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFo
   return images;
 }
 
+/// What the descriptor and the format say of colours that are read as numbers.
+std::string spaceStatedBy(const StoredFormat& format, const DescribedColor& color) {
+  if (color.has_other_curve) return "a transfer function of its own";
+  const bool is_srgb = color.srgb || format.type == SampleType::srgb8;
+  const std::string space = statedSpace(
+      {.transfer = is_srgb ? Transfer::srgb : Transfer::linear, .primaries = color.primaries}, imageChannels(format));
+  return space.empty() && is_srgb ? "sRGB" : space;
+}
+
 }  // namespace
 
 bool isKtx2(Span bytes) {
@@ -194,29 +203,34 @@ bool isKtx2(Span bytes) {
          std::equal(kKtx2Identifier.begin(), kKtx2Identifier.end(), bytes.begin());
 }
 
-Result<DecodedImageSet> decodeKtx2(Span bytes) {
+Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
   MIRRORBALL_TRY(header, readKtx2Header(bytes));
   MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size()));
   MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, std::size_t(header.descriptor.begin),
-                                                 std::size_t(header.descriptor.size)));
-  MIRRORBALL_TRY(format, ktx2TexelFormat(header, color));
+                                                 std::size_t(header.descriptor.size), as));
+  MIRRORBALL_TRY(stored, ktx2TexelFormat(header, color, as));
+  const StoredFormat format = as == ReadAs::light ? stored : withoutCurve(stored);
   MIRRORBALL_TRY_VOID(checkLevelSizes(header, format));
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format));
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, std::size_t(header.key_values.begin),
                                           std::size_t(header.key_values.size), false));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format));
+  bool is_converted = format.type == SampleType::srgb8;
   forEachImage(images, [&](Image& image) {
-    convertToRec709(image, color.primaries);
+    if (as == ReadAs::light) is_converted |= convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);
   });
   std::vector<std::string> oddities;
   if (color.is_missing) oddities.emplace_back("has no data format descriptor: read as its vkFormat says");
   if (!values.swizzle.empty()) oddities.push_back(swizzleRemark(values));
+  if (as == ReadAs::numbers) tellUnapplied(spaceStatedBy(stored, color), oddities);
+  const std::string text = describeColor(curveOf(format), color.primaries, imageChannels(format));
   return DecodedImageSet{.images = std::move(images),
                          .metadata = std::move(values.metadata),
-                         .format = "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
-                         .color = describeColor(curveOf(format), color.primaries, imageChannels(format)),
-                         .oddities = std::move(oddities)};
+                         .format = "KTX2, " + nameOf(stored) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+                         .color = as == ReadAs::light ? text : std::string(kAsStored),
+                         .oddities = std::move(oddities),
+                         .is_converted = is_converted};
 }
 
 }  // namespace mirrorball

@@ -17,7 +17,7 @@ bool isKtx2(std::span<const std::uint8_t> bytes);
 ///
 /// errors   as decodeImageSet
 /// from     KTX 2.0 specification (Khronos, 2020)
-Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes);
+Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes, ReadAs as = ReadAs::light);
 
 /// Where the images of a KTX 2 file without Zstandard stand: levels smallest first, each at a multiple of its
 /// texel's or block's size and of 4; orientation "rd".

@@ -267,6 +267,11 @@ int imageChannels(const StoredFormat& format) {
   return format.channels;
 }
 
+StoredFormat withoutCurve(StoredFormat format) {
+  if (format.type == SampleType::srgb8) format.type = SampleType::unorm8;
+  return format;
+}
+
 TransferCurve curveOf(const StoredFormat& format) {
   return format.type == SampleType::srgb8 ? kSrgbCurve : kLinearLight;
 }

@@ -57,6 +57,9 @@ std::size_t wordSize(const StoredFormat& format);
 /// How many channels the decoded image has: two become three with no blue, for two would be grey and alpha.
 int imageChannels(const StoredFormat& format);
 
+/// The same samples without sRGB's curve, of formats that state it: what they hold where they are numbers.
+StoredFormat withoutCurve(StoredFormat format);
+
 /// The curve from the stored samples to light.
 TransferCurve curveOf(const StoredFormat& format);
 

@@ -20,10 +20,10 @@ namespace {
 
 constexpr int kHighestZstandardLevel = 22;
 
-Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes) {
-  if (isKtx2(bytes)) return decodeKtx2(bytes);
-  if (isKtx1(bytes)) return decodeKtx1(bytes);
-  if (isDds(bytes)) return decodeDds(bytes);
+Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes, ReadAs as) {
+  if (isKtx2(bytes)) return decodeKtx2(bytes, as);
+  if (isKtx1(bytes)) return decodeKtx1(bytes, as);
+  if (isDds(bytes)) return decodeDds(bytes, as);
   return fail(ErrorCode::bad_file, "does not begin as a KTX2, KTX or DDS texture does");
 }
 
@@ -116,8 +116,8 @@ Result<DecodedImageSet> readImageSet(const std::filesystem::path& path) {
   return withName(path.string(), decodeImageSet(bytes));
 }
 
-Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes) {
-  return withinMemory<DecodedImageSet>([&] { return decodeByMagic(bytes); });
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, ReadAs as) {
+  return withinMemory<DecodedImageSet>([&] { return decodeByMagic(bytes, as); });
 }
 
 bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || isKtx1(bytes) || isDds(bytes); }

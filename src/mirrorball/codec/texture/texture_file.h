@@ -67,11 +67,12 @@ struct TextureWriteOptions {
 
 /// The images of a texture as they come from a file.
 struct DecodedImageSet {
-  ImageSet images;  ///< linear light, Rec.709; 1, 3 or 4 channels; row 0 on top
+  ImageSet images;  ///< linear light, Rec.709, or numbers; 1, 3 or 4 channels; row 0 on top
   Metadata metadata;
   std::string format;                      ///< as `info` shows it: "KTX2, r16g16b16a16 sfloat, Zstandard"
   std::string color = {};                  ///< as DecodedImage's
   std::vector<std::string> oddities = {};  ///< likewise
+  bool is_converted = false;               ///< likewise
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
@@ -86,8 +87,8 @@ struct DecodedImageSet {
 ///          three-dimensional textures)
 Result<DecodedImageSet> readImageSet(const std::filesystem::path& path);
 
-/// The same from memory.
-Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes);
+/// The same from memory; numbers without sRGB's decoding and other primaries.
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, ReadAs as = ReadAs::light);
 
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);

@@ -172,14 +172,14 @@ Result<CodedPicture> readPicture(const TiffFile& file, const TiffLayout& layout,
   return picture;
 }
 
-/// Floats, multiplied by their alpha.
-Result<Image> readLight(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress) {
+/// Floats: light multiplied by its alpha, numbers as they are stored.
+Result<Image> readFloats(const TiffFile& file, const TiffLayout& layout, const ImageReadOptions& options) {
   const auto read = [&](const std::uint8_t* row, std::size_t sample, int) { return floatAt(row, sample, layout.bits); };
-  MIRRORBALL_TRY(light, readTexels<float>(file, layout, progress, read));
-  if (layout.alpha >= 0 && !layout.is_premultiplied)
-    for (std::size_t i = 0; i < light.samples().size(); i += 4)
-      for (std::size_t c = 0; c < 3; ++c) light.samples()[i + c] *= light.samples()[i + 3];
-  return light;
+  MIRRORBALL_TRY(floats, readTexels<float>(file, layout, options.progress, read));
+  if (options.as == ReadAs::light && layout.alpha >= 0 && !layout.is_premultiplied)
+    for (std::size_t i = 0; i < floats.samples().size(); i += 4)
+      for (std::size_t c = 0; c < 3; ++c) floats.samples()[i + c] *= floats.samples()[i + 3];
+  return floats;
 }
 
 /// "TIFF, 16 bit, LZW"
@@ -221,12 +221,26 @@ std::string colorText(const TiffLayout& layout) {
   return describeColor(kLinearLight, layout.primaries, layout.channels());
 }
 
+/// Of floats.
+std::optional<Primaries> statedPrimaries(const TiffLayout& layout) {
+  return layout.is_log ? std::optional(kCieXyz) : layout.primaries;
+}
+
+/// What floats that are read as numbers state of colours.
+std::string spaceStatedBy(const TiffLayout& layout) {
+  CodedColor color{.transfer = Transfer::linear, .primaries = statedPrimaries(layout)};
+  if (!layout.profile.is_understood) color.unread_profile = layout.profile.description;
+  return statedSpace(color, layout.channels());
+}
+
 /// What is unusual about floats.
-std::vector<std::string> floatOddities(const TiffLayout& layout) {
+std::vector<std::string> floatOddities(const TiffLayout& layout, ReadAs as) {
   std::vector<std::string> oddities;
   if (std::string remark = uprightRemark(layout.orientation, kTiffOrientation); !remark.empty())
     oddities.push_back(std::move(remark));
-  if (layout.profile.is_understood && layout.profile.curve.power != kLinearLight.power)
+  if (as == ReadAs::numbers)
+    tellUnapplied(spaceStatedBy(layout), oddities);
+  else if (layout.profile.is_understood && layout.profile.curve.power != kLinearLight.power)
     oddities.push_back("has floats and an ICC profile (" + layout.profile.description +
                        ") with a curve: taken as linear light, of whose profile the primaries alone count");
   return oddities;
@@ -281,12 +295,16 @@ Result<DecodedImage> decodeTiff(Span bytes, const ImageReadOptions& options) {
     MIRRORBALL_TRY(codes, inItsPlace(std::move(page), layout));
     return withPlace(asImage(makeCodedFile(std::move(codes), layout, bytes)), layout);
   }
-  MIRRORBALL_TRY(page, readLight(file, layout, options.progress));
+  MIRRORBALL_TRY(page, readFloats(file, layout, options));
   MIRRORBALL_TRY(stored, inItsPlace(std::move(page), layout));
-  Image light = upright(std::move(stored), layout.orientation);
-  convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
-  DecodedImage image{std::move(light), {}, formatText(layout), colorText(layout)};
-  image.oddities = floatOddities(layout);
+  const bool is_light = options.as == ReadAs::light;
+  DecodedImage image{upright(std::move(stored), layout.orientation), {}, formatText(layout)};
+  image.color = is_light ? colorText(layout) : std::string(kAsStored);
+  if (is_light) {
+    image.is_converted = layout.alpha >= 0 && !layout.is_premultiplied;
+    image.is_converted |= convertToRec709(image.image, statedPrimaries(layout));
+  }
+  image.oddities = floatOddities(layout, options.as);
   return withPlace(std::move(image), layout);
 }
 

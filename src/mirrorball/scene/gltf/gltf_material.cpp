@@ -162,54 +162,67 @@ Result<void> Materials::setPicture(std::size_t index, const SharedPicture& pictu
   return {};
 }
 
-/// The pictures that are planned, decoded: of those that cannot be, why.
-Result<std::map<int, Result<SharedPicture>>> Materials::decodedImages() {
-  std::map<int, Result<SharedPicture>> images;
-  std::map<int, std::size_t> place;  // glTF image → which of `pictures`
-  std::vector<EncodedPicture> pictures;
-  std::vector<int> image_of_picture;
-  for (const Planned& planned : planned_) {
-    if (images.contains(planned.image)) continue;
-    const auto [known, is_new] = place.emplace(planned.image, pictures.size());
-    if (is_new) {
-      Result<std::span<const std::uint8_t>> bytes = encoded(planned.image);
-      if (bytes && bytes->empty())
-        bytes = fail(ErrorCode::bad_file, quoted("images", std::size_t(planned.image)) + " is empty");
-      if (!bytes) {
-        place.erase(known);
-        images.emplace(planned.image, fail(std::move(bytes)));
-        continue;
-      }
-      pictures.push_back({*bytes});
-      image_of_picture.push_back(planned.image);
+/// Decodes pictures of the file: of those that cannot be, why.
+///
+/// returns  those that would be others, read as numbers
+std::set<int> Materials::decodeInto(Pictures& pictures, std::span<const PictureKey> wanted,
+                                    const ProgressFunction& progress) {
+  std::vector<EncodedPicture> encoded_pictures;
+  std::vector<PictureKey> keys;  // of each
+  for (const PictureKey& key : wanted) {
+    const std::string name = quoted("images", std::size_t(key.image));
+    Result<std::span<const std::uint8_t>> bytes = encoded(key.image);
+    if (bytes && bytes->empty()) bytes = fail(ErrorCode::bad_file, name + " is empty");
+    if (!bytes) {
+      pictures.emplace(key, fail(std::move(bytes)));
+      continue;
     }
-    if (planned.srgb) pictures[known->second].shows_colors = true;
+    encoded_pictures.push_back({*bytes, key.as});
+    keys.push_back(key);
   }
   const auto remark = [&](std::size_t picture, const std::string& oddity) {
-    file_.remarks.tellOnce(quoted("images", std::size_t(image_of_picture[picture])), oddity);
+    file_.remarks.tellOnce(quoted("images", std::size_t(keys[picture].image)), oddity);
   };
-  std::vector<Result<Texels>> decoded =
-      decodePictures(pictures, file_.named.budget(), file_.named.progressOfHalf(1), remark);
-  for (const auto& [image, index] : place) {
-    Result<Texels> texels = withName(quoted("images", std::size_t(image)), std::move(decoded[index]));
-    if (texels)
-      images.emplace(image, SharedPicture(std::move(*texels)));
+  auto decoded = decodePictures(encoded_pictures, file_.named.budget(), progress, remark);
+  std::set<int> converted;
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    auto read = withName(quoted("images", std::size_t(keys[i].image)), std::move(decoded[i]));
+    if (read && read->is_converted) converted.insert(keys[i].image);
+    if (read)
+      pictures.emplace(keys[i], SharedPicture(std::move(read->picture)));
     else
-      images.emplace(image, fail(std::move(texels)));
+      pictures.emplace(keys[i], fail(std::move(read)));
   }
+  return converted;
+}
+
+/// The pictures that are planned, decoded. One that shows colours to one material and numbers to another is decoded
+/// for each where its colours are converted; else both share it.
+Result<Materials::Pictures> Materials::decodedImages() {
+  std::map<int, std::set<ReadAs>> uses;
+  for (const Planned& planned : planned_) uses[planned.image].insert(planned.as());
+  std::vector<PictureKey> first, second;
+  for (const auto& [image, read_as] : uses) first.push_back({image, *read_as.begin()});  // light, if it is that too
+  Pictures pictures;
+  const std::set<int> converted = decodeInto(pictures, first, file_.named.progressOfHalf(1));
+  for (const int image : converted)
+    if (uses[image].contains(ReadAs::numbers)) second.push_back({image, ReadAs::numbers});
+  decodeInto(pictures, second, {});
   storage_.clear();
-  for (auto& [image, picture] : images)
+  for (auto& [key, picture] : pictures)
     if (!picture && !isDamage(picture.error())) return fail(std::move(picture));
-  return images;
+  return pictures;
 }
 
 Result<void> Materials::decodeTextures() {
-  MIRRORBALL_TRY(images, decodedImages());
-  for (const auto& [image, picture] : images)
+  MIRRORBALL_TRY(pictures, decodedImages());
+  for (const auto& [key, picture] : pictures)
     if (!picture) file_.remarks.leaveOut(picture.error(), "picture");
   std::vector<bool> is_lost;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const Result<SharedPicture>& picture = images.at(planned_[i].image);
+    const auto own = pictures.find({planned_[i].image, planned_[i].as()});
+    const Result<SharedPicture>& picture =
+        own != pictures.end() ? own->second : pictures.at({planned_[i].image, ReadAs::light});
     is_lost.push_back(!picture);
     if (!picture) continue;
     const std::string key = quoted("images", std::size_t(planned_[i].image));

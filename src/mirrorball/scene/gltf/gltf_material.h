@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <set>
@@ -50,6 +51,8 @@ class Materials {
     TextureUse use;  // the first one
     /// FileMaterial::glossiness, for a texture that is to hold roughness instead.
     std::optional<float> glossiness;
+
+    ReadAs as() const { return srgb ? ReadAs::light : ReadAs::numbers; }
   };
 
   void bindTexture(TextureSlot& slot, const MaterialMap& map, std::optional<float> glossiness, const std::string& key);
@@ -58,7 +61,16 @@ class Materials {
   int sameImage(int image);
   int firstOfSameSource(int image);
   Result<std::span<const std::uint8_t>> encoded(int image);
-  Result<std::map<int, Result<SharedPicture>>> decodedImages();
+  /// An image of the file, and what its samples are read as.
+  struct PictureKey {
+    int image;
+    ReadAs as;
+
+    auto operator<=>(const PictureKey&) const = default;
+  };
+  using Pictures = std::map<PictureKey, Result<SharedPicture>>;
+  Result<Pictures> decodedImages();
+  std::set<int> decodeInto(Pictures& pictures, std::span<const PictureKey> wanted, const ProgressFunction& progress);
   Result<void> setPicture(std::size_t index, const SharedPicture& picture);
 
   const File& file_;

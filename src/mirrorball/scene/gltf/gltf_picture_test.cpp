@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/gltf/gltf_remarks.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
@@ -121,6 +123,29 @@ TEST_F(GltfPicture, OthersKeepTheirPlacesAndALostOneDoesNotGlow) {
   EXPECT_EQ(scene->textures.at(std::size_t(material.occlusion_map.texture)).image.codes().texel(0, 0)[0], 100);
   EXPECT_EQ(material.emission_map.texture, -1);
   EXPECT_EQ(material.emission, glm::vec3(0.0f));
+}
+
+// One picture of Display P3, as base colour and as roughness: the former is converted, the latter is what the file holds.
+TEST_F(GltfPicture, ThatShowsColorsAndNumbersIsReadAsEither) {
+  const testing::BmpForm p3{.header = 124, .width = 1, .height = 1, .profile = testing::iccDisplayP3()};
+  ASSERT_TRUE(writeFile(folder_ / "p3.bmp", testing::bmpFile(p3, {60, 120, 200, 0})));
+  for (const auto& [file, is_converted] : {std::pair("p3.bmp", true), {"beside.png", false}}) {
+    GltfMaker maker;
+    maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+    const Result<Scene> scene = decoded(maker.gltf(
+        R"({"attributes":{"POSITION":0},"material":0})",
+        R"("images":[{"uri":")" + std::string(file) + R"("}],"textures":[{"source":0}],"materials":[{)" +
+            R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}}}])"));
+    ASSERT_TRUE(scene) << scene.error().message;
+    const auto pictureIn = [&](const TextureSlot& slot) -> const SharedPicture& {
+      return scene->textures.at(std::size_t(slot.texture)).image;
+    };
+    const SharedPicture& colors = pictureIn(scene->materials.at(0).base_color_map);
+    const SharedPicture& numbers = pictureIn(scene->materials.at(0).roughness_map);
+    EXPECT_EQ(colors.isSameAs(numbers), !is_converted);
+    EXPECT_EQ(colors.codes().texel(0, 0)[0], is_converted ? 213 : 200);
+    EXPECT_EQ(numbers.codes().texel(0, 0)[0], 200);
+  }
 }
 
 TEST(GltfRemarks, OfAllPartsThatAreAlikeIsOne) {

@@ -1,6 +1,7 @@
 #include "mirrorball/scene/mesh_file/named_pictures.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "mirrorball/base/text.h"
@@ -133,23 +134,29 @@ TextureSlot NamedPictures::add(const MtlMap& map, Reading reading, const MtlMap*
 void NamedPictures::decode() {
   std::vector<EncodedPicture> encoded;
   std::vector<const MtlMap*> maps;  // of each
-  const auto plan = [&](const MtlMap& map, std::span<const std::uint8_t> bytes, bool shows_colors) {
-    encoded.push_back({bytes, shows_colors});
+  const auto plan = [&](const MtlMap& map, std::span<const std::uint8_t> bytes, ReadAs as) {
+    encoded.push_back({bytes, as});
     maps.push_back(&map);
   };
   for (const Pending& each : pending_) {
     const bool shows_colors = each.reading == Reading::colors || each.reading == Reading::light;
-    if (!each.bytes.empty()) plan(*each.map, each.bytes, shows_colors);
-    if (each.opacity != nullptr) plan(*each.opacity, each.opacity_bytes, false);
+    if (!each.bytes.empty()) plan(*each.map, each.bytes, shows_colors ? ReadAs::light : ReadAs::numbers);
+    if (each.opacity != nullptr) plan(*each.opacity, each.opacity_bytes, ReadAs::numbers);
   }
   const auto remark = [&](std::size_t picture, const std::string& oddity) { warn(*maps[picture], oddity); };
-  std::vector<Result<Texels>> decoded = decodePictures(encoded, named_.files().budget(), {}, remark);
+  std::vector<Result<Decoded<Texels>>> decoded = decodePictures(encoded, named_.files().budget(), {}, remark);
   auto next = decoded.begin();
+  const auto nextTexels = [&]() -> Result<Texels> {
+    MIRRORBALL_TRY(read, std::move(*next++));
+    return std::move(read.picture);
+  };
   std::vector<bool> is_lost;
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     const Pending& each = pending_[i];
-    Result<Texels> texels = each.bytes.empty() ? Result<Texels>(Image8(1, 1, 4, 255)) : std::move(*next++);
-    const auto filled = fill(each, std::move(texels), each.opacity != nullptr ? &*next++ : nullptr, scene_.textures[i]);
+    Result<Texels> texels = each.bytes.empty() ? Result<Texels>(Image8(1, 1, 4, 255)) : nextTexels();
+    std::optional<Result<Texels>> opacity;
+    if (each.opacity != nullptr) opacity = nextTexels();
+    const auto filled = fill(each, std::move(texels), opacity ? &*opacity : nullptr, scene_.textures[i]);
     if (!filled) warn(*each.map, filled.error().message + "; the material goes without it");
     is_lost.push_back(!filled);
   }

@@ -124,7 +124,7 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   if (auto& recognition = map.loaded.recognition) {
     map.covered = coveredSolidAngle(recognition->form.projection) / (2.0f * formula::kTwoPi);
     if (recognition->form.projection == Projection::equirect && map.loaded.window)
-      map.covered = static_cast<float>(shareOfSphere(*map.loaded.window));
+      map.covered = static_cast<float>(shareOfSphere(*map.loaded.window, map.loaded.window_goes_round));
     if (recognition->told_by.empty()) recognition->told_by = "--from";
   }
   const Metadata& said = map.loaded.metadata;

@@ -19,6 +19,9 @@ struct EdgeFit {
   bool meets() const { return across <= 2.0f * beside + 0.02f; }
   /// Whether it jumps there. Faces of one colour each, as in cubes made to test a program, jump and say nothing.
   bool jumps() const { return beside > 0.005f && across > 4.0f * beside + 0.05f; }
+  /// Whether it is unlikely that they are a cube of which nothing but a shape says so: a photograph's edges change more
+  /// beside each other than smooth light does.
+  bool isUnlikely() const { return beside > 0.005f && !meets(); }
   /// Whether the same images meet clearly better in this way than in another. A few faces that lie otherwise change
   /// only the stretches at their own edges, which the mean of all hides, and noise changes them at random: the gain has
   /// to be seen all along.

@@ -23,9 +23,6 @@ Result<std::optional<LoadedEnvironment>> loadCubeAround(const std::string& path,
 
 /// Remarks that a square picture which was loaded has the name of a face, without the others or without a sign that
 /// they are a cube.
-void tellOfOtherFaces(const std::string& path, LoadedEnvironment& loaded);
-
-/// Whether a hint leaves it open that a map is a cube.
-bool mayBeCube(const FormHint& from);
+void remarkOtherFaces(const std::string& path, LoadedEnvironment& loaded);
 
 }  // namespace mirrorball

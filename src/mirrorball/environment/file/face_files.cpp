@@ -45,6 +45,8 @@ constexpr auto kNamings = std::to_array<NamingTraits>({
     {FaceNaming::top, {"right", "left", "top", "bottom", "front", "back"}},
     {FaceNaming::up, {"right", "left", "up", "down", "front", "back"}},
     {FaceNaming::forward, {"right", "left", "up", "down", "forward", "back"}, kAsSeen},
+    {FaceNaming::forward_backward, {"right", "left", "up", "down", "forward", "backward"}, kAsSeen},
+    {FaceNaming::forward_top, {"right", "left", "top", "bottom", "forward", "backward"}, kAsSeen},
     {FaceNaming::quake, {"rt", "lf", "up", "dn", "ft", "bk"}, "for=quake", true},
     {FaceNaming::ogre, {"rt", "lf", "up", "dn", "fr", "bk"}, "for=ogre"},
     {FaceNaming::unity, {"Right-X", "Left+X", "Up+Y", "Down-Y", "Front+Z", "Back-Z"}, "as-seen"},
@@ -169,6 +171,11 @@ bool isCommon(FaceNaming naming) { return findTraits(naming).is_common; }
 
 std::optional<FaceFiles> faceFilesBeside(const fs::path& file) { return filesNamedLike(file, nullptr); }
 
+bool lacksBottomAlone(const FaceFiles& files) {
+  std::error_code error;
+  return files.present == 5 && !isCommon(files.naming) && !fs::exists(files.paths[kBottomFace], error);
+}
+
 std::string listFaces(const FaceFiles& files, bool exist, const fs::path& but) {
   std::vector<std::string> names;
   std::error_code error;
@@ -193,6 +200,7 @@ Result<FaceFiles> faceFilesIn(const fs::path& folder) {
   const auto is_common = [](const FaceFiles& files) { return isCommon(files.naming); };
   if (!std::all_of(cubes.begin(), cubes.end(), is_common)) std::erase_if(cubes, is_common);
   if (cubes.size() == 1) return std::move(cubes[0]);
+  if (cubes.empty() && nearly && lacksBottomAlone(*nearly)) return std::move(*nearly);
   if (cubes.empty() && nearly)
     return fail(ErrorCode::not_found, folder.string() + ": holds " + std::to_string(nearly->present) +
                                           " of the six files of a cube, without " + listFaces(*nearly, false));

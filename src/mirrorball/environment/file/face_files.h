@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@ enum class FaceNaming {
   top,
   up,
   forward,
+  forward_backward,
+  forward_top,
   quake,
   ogre,
   unity,
@@ -52,6 +55,9 @@ std::string usualReading(FaceNaming naming);
 /// Whether many other files end so: single letters, and numbers. Such six are a cube only if their edges meet.
 bool isCommon(FaceNaming naming);
 
+/// Which of the six is the lower one.
+inline constexpr std::size_t kBottomFace = 3;
+
 /// The six files of a cube, in the order of the slots.
 struct FaceFiles {
   std::array<std::filesystem::path, 6> paths;
@@ -67,6 +73,10 @@ struct FaceFiles {
 /// returns  nothing when the name ends in none, or in a common one without the other five
 std::optional<FaceFiles> faceFilesBeside(const std::filesystem::path& file);
 
+/// Whether the file of the lower face is missing and the other five are there, as of skies for programs which hide it
+/// behind their ground. Not of common endings.
+bool lacksBottomAlone(const FaceFiles& files);
+
 /// The names of those of the six that exist, or do not: "room_py.exr and room_nz.exr".
 ///
 /// but      a path that is left out
@@ -74,7 +84,7 @@ std::string listFaces(const FaceFiles& files, bool exist, const std::filesystem:
 
 /// The six files of the one cube in a folder.
 ///
-/// errors   not_found: there are not six; usage: there are several cubes, and one of their files has to be named
+/// errors   not_found: there are not six, nor all but the lower one; usage: there are several cubes, and one of their files has to be named
 Result<FaceFiles> faceFilesIn(const std::filesystem::path& folder);
 
 }  // namespace mirrorball

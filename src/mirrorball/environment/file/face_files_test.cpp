@@ -64,6 +64,11 @@ TEST_F(FaceFilesTest, NamesOfEnginesAreKnown) {
   EXPECT_EQ(facesBeside("X+.png"), "X+.png X-.png Y+.png Y-.png Z+.png Z-.png");
   touch({"sky-x+.png", "sky-x-.png", "sky-y+.png", "sky-y-.png", "sky-z+.png", "sky-z-.png"});
   EXPECT_EQ(facesBeside("sky-y-.png"), "sky-x+.png sky-x-.png sky-y+.png sky-y-.png sky-z+.png sky-z-.png");
+  touch({"v_forward.png", "v_backward.png", "v_left.png", "v_right.png", "v_up.png", "v_down.png"});
+  EXPECT_EQ(facesBeside("v_left.png"), "v_right.png v_left.png v_up.png v_down.png v_forward.png v_backward.png");
+  EXPECT_EQ(facesBeside("w_backward.png"), "w_right.png w_left.png w_up.png w_down.png w_forward.png w_backward.png");
+  touch({"u_forward.png", "u_backward.png", "u_left.png", "u_right.png", "u_top.png", "u_bottom.png"});
+  EXPECT_EQ(facesBeside("u_right.png"), "u_right.png u_left.png u_top.png u_bottom.png u_forward.png u_backward.png");
   EXPECT_EQ(facesBeside("env_ft.tga"), "env_rt.tga env_lf.tga env_up.tga env_dn.tga env_ft.tga env_bk.tga");
   EXPECT_EQ(facesBeside("sky.fr.png"), "sky.rt.png sky.lf.png sky.up.png sky.dn.png sky.fr.png sky.bk.png");
   EXPECT_EQ(facesBeside("cube_m00_c05.jpg"),
@@ -150,6 +155,10 @@ TEST_F(FaceFilesTest, AFolderMayStandForItsSixFiles) {
   touch({"posz.jpg"});
   EXPECT_THAT(faceFilesIn(folder_).error().message, HasSubstr("holds 5 of the six files of a cube, without negz.jpg"));
   touch({"negz.jpg", "readme.txt"});
+  fs::remove(folder_ / "negy.jpg");
+  ASSERT_TRUE(faceFilesIn(folder_));
+  EXPECT_TRUE(lacksBottomAlone(*faceFilesIn(folder_)));
+  touch({"negy.jpg"});
   const auto files = faceFilesIn(folder_);
   ASSERT_TRUE(files) << files.error().message;
   EXPECT_EQ(files->paths[5], folder_ / "negz.jpg");

@@ -19,6 +19,7 @@
 #include "mirrorball/environment/file/cube_files.h"
 #include "mirrorball/environment/file/cube_images.h"
 #include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/environment/file/picture_content.h"
 #include "mirrorball/environment/file/picture_meaning.h"
 
 namespace mirrorball {
@@ -72,15 +73,45 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
     MIRRORBALL_TRY(other, other_map(form));
     if (edgeFit(other).meets()) return take(form, std::move(other));
   }
-  return reading.fit.jumps() ? makeJumpDoubt(recognition) : FormDoubt{};
+  return reading.fit.isUnlikely() ? makeJumpDoubt(recognition) : FormDoubt{};
+}
+
+/// Takes one eye's half of a stereo picture. A window in the whole means nothing for it.
+///
+/// errors   bad_shape: the picture is too small; too_large
+Result<void> takeHalf(PictureHalf half, DecodedImage& decoded) {
+  const glm::ivec2 size = sizeOfHalf({decoded.image.width(), decoded.image.height()}, half);
+  if (size.x < 1 || size.y < 1) return fail(ErrorCode::bad_shape, "is too small to be a picture for two eyes");
+  MIRRORBALL_TRY_VOID(checkImageMemory(size.x, size.y, decoded.image.channels()));
+  decoded.image = halfOf(decoded.image, half);
+  decoded.window.reset();
+  return {};
+}
+
+/// The refusal of a picture of a cross's shape that is none.
+Error photographError(glm::ivec2 size, const Recognition& recognition) {
+  const std::string layout(nameOf(recognition.form.layout));
+  return {ErrorCode::bad_shape,
+          "is " + sizeText(size) +
+              ", and not a cube: it fills the cells that a cross leaves "
+              "empty, and its faces would not meet. A photograph does not show all directions: a part "
+              "of a panorama is named by {option:from} equirect:fov=HxV, a mirror ball is cut out by "
+              "`mirrorball photo`; {option:from} " +
+              layout + " reads it as a cube all the same"};
 }
 
 /// sphere   the Photo Sphere that its file says it is
 Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<PhotoSphere>& sphere,
                                       const EnvironmentLoadOptions& options) {
+  const glm::ivec2 file_size(decoded.image.width(), decoded.image.height());
+  StereoEye eye = chooseEye(decoded.image, decoded.metadata, sphere, options.from);
+  if (eye.half) MIRRORBALL_TRY_VOID(takeHalf(*eye.half, decoded));
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(meaning, readMeaning(size, decoded.metadata, sphere, options.from));
+  if (!eye.oddity.empty()) meaning.oddities.push_back(std::move(eye.oddity));
   Recognition& recognition = meaning.recognition;
+  MIRRORBALL_TRY(doubt, settleByContent(decoded.image, recognition));
+  const bool is_photograph = recognition.is_guess && fillsEmptyCells(decoded.image, recognition.form.layout);
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(decoded.image, options));
   // Before its texels reach others. A map that keeps them is repaired image by image.
@@ -95,10 +126,12 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
   // The lecture's cross has faces in cells that are empty in the other.
   const bool is_kept = recognition.is_guess && recognition.form.layout == CubeLayout::hcross;
   MIRRORBALL_TRY(map, mapIn(is_kept ? decoded.image : std::move(decoded.image), recognition.form));
-  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
+  MIRRORBALL_TRY(edge_doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
                    if (form.layout != recognition.form.layout) return mapIn(decoded.image, form);
                    return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
+  if (is_photograph && !edge_doubt.message.empty()) return tl::unexpected<Error>(photographError(size, recognition));
+  if (doubt.message.empty()) doubt = std::move(edge_doubt);
   if (const auto& tilt = meaning.tilt) {
     MIRRORBALL_TRY(level, levelled(std::move(map), tilt->pitch_deg, tilt->roll_deg, recognition.form.centre));
     map = std::move(level);
@@ -108,12 +141,13 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
                            .format = decoded.format,
                            .color = decoded.color,
                            .recognition = recognition,
-                           .file_size = size,
+                           .file_size = file_size,
                            .bad_texels = bad,
                            .metadata = std::move(decoded.metadata),
                            .doubt = std::move(doubt),
                            .lacks_gain_map = decoded.gain_map == GainMapUse::lost,
                            .window = std::move(decoded.window),
+                           .window_goes_round = meaning.part && meaning.part->crossesSeam(),
                            .is_levelled = meaning.tilt.has_value(),
                            .layers = std::move(decoded.layers),
                            .layer = std::move(decoded.layer),
@@ -161,7 +195,7 @@ bool mayBeCubeInLayers(const DecodedImageSet& texture, const FormHint& from) {
   const Image& first = texture.images.at(0, 0);
   const auto says_more = [](const auto& entry) { return entry.first.starts_with("mirrorball:"); };
   return texture.images.faces() == 1 && texture.images.layers() == 6 && first.width() == first.height() &&
-         mayBeCube(from) && from.layout.value_or(CubeLayout::faces) == CubeLayout::faces &&
+         from.allowsCube() && from.layout.value_or(CubeLayout::faces) == CubeLayout::faces &&
          std::none_of(texture.metadata.begin(), texture.metadata.end(), says_more);
 }
 
@@ -170,7 +204,7 @@ Result<std::optional<LoadedEnvironment>> loadCubeInLayers(const DecodedImageSet&
                                                           const EnvironmentLoadOptions& options) {
   ImageSet faces(1, 6);
   for (int slot = 0; slot < 6; ++slot) faces.at(0, slot) = texture.images.at(0, 0, slot);
-  if (!options.from.projection && !options.from.layout) {
+  if (!options.from.namesForm()) {
     EnvironmentMap by_slots(Projection::cube, std::move(faces));
     if (!readByEdges(by_slots, possibleArrangements({})).is_proved) return std::nullopt;
     faces = std::move(by_slots).takeImages();
@@ -206,7 +240,7 @@ Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes,
                                             : loadPictureTexture(std::move(texture), options);
   if (!loaded) return loaded;
   loaded->levels = levels;
-  if (loaded->doubt.message.empty()) loaded->doubt = std::move(doubt);
+  if (!doubt.message.empty()) loaded->doubt = std::move(doubt);
   return loaded;
 }
 
@@ -235,7 +269,7 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
     return LoadedEnvironment{.environment = std::move(environment), .format = "built in", .color = "linear, Rec.709"};
   }
   if (fs::is_directory(name_or_path, status)) {
-    if (!mayBeCube(options.from))
+    if (!options.from.allowsCube())
       return fail(ErrorCode::usage, name_or_path + ": is a folder; only a cube's six files may be named so");
     MIRRORBALL_TRY(files, faceFilesIn(fs::path(name_or_path)));
     return loadFaces(name_or_path, files, options);
@@ -248,7 +282,7 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
                                       "or as docs/conventions.md says");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
   MIRRORBALL_TRY(loaded, loadFile(name_or_path, options, progress));
-  tellOfOtherFaces(name_or_path, loaded);
+  remarkOtherFaces(name_or_path, loaded);
   return loaded;
 }
 
@@ -310,8 +344,10 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   if (!rows) return std::nullopt;
   const RowReader::Description& picture = rows->description();
   MIRRORBALL_TRY(ends, readEnds(name_or_path));
-  MIRRORBALL_TRY(meaning, withName(name_or_path, readMeaning({picture.width, picture.height}, picture.metadata,
-                                                             photoSphereIn(ends), options.from)));
+  const auto sphere = photoSphereIn(ends);
+  const glm::ivec2 size(picture.width, picture.height);
+  if (mayBeStereo(size, sphere, options.from)) return std::nullopt;
+  MIRRORBALL_TRY(meaning, withName(name_or_path, readMeaning(size, picture.metadata, sphere, options.from)));
   const MapForm& form = meaning.recognition.form;
   if (form.projection != Projection::equirect || form.has_texels_on_edges || meaning.changesPicture() ||
       options.from.rest)

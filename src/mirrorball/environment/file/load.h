@@ -30,12 +30,6 @@ struct EnvironmentLoadOptions {
   LightLimits light = {};  ///< of the file's own texels, or of a built-in's light
 };
 
-/// Doubts about the form that was recognised.
-struct FormDoubt {
-  std::string message = {};                   ///< empty: no doubt
-  std::vector<std::string> other_forms = {};  ///< for `formHintNamed`: other possible forms
-};
-
 /// An environment and what is known about where it came from.
 struct LoadedEnvironment {
   Environment environment;
@@ -51,6 +45,7 @@ struct LoadedEnvironment {
   FormDoubt doubt = {};                         ///< of the form that was recognised
   bool lacks_gain_map = false;                  ///< that its file says it has (GainMapUse::lost)
   std::optional<PictureWindow> window = {};     ///< the part of the map that the file holds, if not all of it
+  bool window_goes_round = false;               ///< beyond the map's right edge it goes on at the left one
   bool is_levelled = false;                     ///< a panorama taken with the camera tilted: its up is ours now
   std::vector<PictureLayer> layers = {};        ///< DecodedImage's, and the two that follow
   std::string layer = {};

@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 /// Ours, changed by a word; "turn=" changes nothing.
@@ -194,7 +195,11 @@ TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
   Image upright(384, 512, 3);
   for (int y = 0; y < 512; ++y) std::copy_n(photograph.texel(0, y), upright.row(y).size(), upright.texel(0, y));
   ASSERT_TRUE(writeImage(path("upright.png"), upright));
-  EXPECT_THAT(loadEnvironment(path("upright.png"))->doubt.other_forms, ElementsAre("vcross:turn=-z", "cube:as-seen"));
+  const auto refused = loadEnvironment(path("upright.png"));
+  ASSERT_FALSE(refused) << "it fills the cells that a cross leaves empty";
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_shape);
+  EXPECT_THAT(refused.error().message, HasSubstr("{option:from} vcross reads it as a cube all the same"));
+  EXPECT_TRUE(loadEnvironment(path("upright.png"), {.from = *formHintNamed("vcross")}));
 }
 
 TEST_F(LoadTest, SixFacesAreOneCube) {
@@ -209,9 +214,9 @@ TEST_F(LoadTest, SixFacesAreOneCube) {
   ASSERT_TRUE(writeImage(path("a_nz.exr"), Image(4, 5, 3)));
   EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message,
               StartsWith(path("a_nz.exr: is 4x5, and the six faces")));
-  fs::remove(path("a_ny.exr"));
+  fs::remove(path("a_pz.exr"));
   EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message,
-              HasSubstr("is one of the six faces of a cube, without a_ny.exr; put all in one folder"));
+              HasSubstr("is one of the six faces of a cube, without a_pz.exr; put all in one folder"));
   EXPECT_EQ(loadEnvironment(path("b.exr"), {.from = *formHintNamed("faces")}).error().code, ErrorCode::usage);
 }
 
@@ -350,8 +355,10 @@ TEST_F(LoadTest, AFaceWithoutTheOthersSaysWhichAreMissing) {
   const auto alone = loadEnvironment(path("a_py.exr"));
   ASSERT_TRUE(alone) << alone.error().message;
   EXPECT_EQ(textOf(alone->recognition->form), "sphere");
-  EXPECT_THAT(alone->oddities, ElementsAre("is named like one of the six faces of a cube, of which a_nx.exr, a_ny.exr "
-                                           "and a_nz.exr are missing: read alone, as a sphere map"));
+  EXPECT_EQ(alone->doubt.message,
+            "is named like one of the six faces of a cube, of which a_nx.exr, a_ny.exr and a_nz.exr are missing: read "
+            "alone, as a sphere map");
+  EXPECT_THAT(alone->oddities, IsEmpty()) << "in one remark";
 }
 
 TEST_F(LoadTest, ASmallFaceIsEnlargedAndAGreyOneGetsItsColours) {
@@ -455,6 +462,47 @@ TEST_F(LoadTest, WhatIsOddInATextureIsTold) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->environment.radiance({0, 1, 0}), glm::vec3(2.0f));
   EXPECT_THAT(loaded->oddities, ElementsAre("says only in its old header that it is a cube: read as one"));
+}
+
+TEST_F(LoadTest, TwoNearlyEqualPanoramasAreTwoEyes) {
+  const auto eye = [](float metres) {
+    return *convert(Environment(
+                        [=](glm::vec3 d) {
+                          return testing::smoothRadiance(d + glm::vec3(0.02f * metres, 0, 0)) *
+                                 (d.y > 0.0f ? 1.0f : 0.3f);
+                        },
+                        64),
+                    Projection::equirect, 128);
+  };
+  const EnvironmentMap left = eye(0.0f), right = eye(1.0f);
+  Image above(256, 256, 3), beside(512, 128, 3);
+  for (int y = 0; y < 128; ++y) {
+    std::copy_n(left.face(0).texel(0, y), 3 * 256, above.texel(0, y));
+    std::copy_n(right.face(0).texel(0, y), 3 * 256, above.texel(0, 128 + y));
+    std::copy_n(left.face(0).texel(0, y), 3 * 256, beside.texel(0, y));
+    std::copy_n(right.face(0).texel(0, y), 3 * 256, beside.texel(256, y));
+  }
+  ASSERT_TRUE(writeImage(path("above.exr"), above));
+  ASSERT_TRUE(writeImage(path("beside.exr"), beside));
+  for (const char* name : {"above.exr", "beside.exr"}) {
+    const auto loaded = loadEnvironment(path(name));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(textOf(loaded->recognition->form), "equirect");
+    for (const glm::vec3 d : testing::manyDirections(100)) EXPECT_EQ(loaded->environment.radiance(d), left.radiance(d));
+    EXPECT_THAT(loaded->oddities, ElementsAre(HasSubstr("holds two panoramas that are nearly equal"))) << name;
+    EXPECT_FALSE(*openPanorama(path(name))) << "their light decides";
+  }
+  EXPECT_THAT(loadEnvironment(path("beside.exr"))->oddities[0], HasSubstr("equirect:eye=right reads the other"));
+  EXPECT_EQ(textOf(loadEnvironment(path("above.exr"), {.from = *formHintNamed("sphere")})->recognition->form),
+            "sphere");
+}
+
+TEST_F(LoadTest, TwoDiscsAreRefusedUnlessTheyAreNamed) {
+  const EnvironmentMap discs = *convert(Environment(testing::smoothRadiance, 64), Projection::paraboloid, 64);
+  ASSERT_TRUE(writeImage(path("discs.png"), pictureOf(discs, {Projection::paraboloid})));
+  EXPECT_THAT(loadEnvironment(path("discs.png")).error().message, HasSubstr("shows two discs on black"));
+  for (const char* form : {"paraboloid", "equirect"})
+    EXPECT_TRUE(loadEnvironment(path("discs.png"), {.from = *formHintNamed(form)})) << form;
 }
 
 // Two eyes are no cube.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -81,7 +82,7 @@ std::optional<glm::ivec2> cornerOnTexels(glm::ivec2 picture, const PanoramaPart&
 
 /// Interpolates a picture's light at the centres of those of a panorama's texels that lie in its part.
 void resampleInto(const Image& picture, const PanoramaPart& part, Image& panorama) {
-  const bool goes_round = part.end.x - part.begin.x == 1.0;
+  const bool goes_round = part.goesRound();
   const glm::dvec2 whole(panorama.width(), panorama.height());
   const glm::dvec2 size(picture.width(), picture.height());
   const auto around = [&](int x, int y) {
@@ -92,7 +93,8 @@ void resampleInto(const Image& picture, const PanoramaPart& part, Image& panoram
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < panorama.width(); ++x) {
         const glm::dvec2 share = (glm::dvec2(x, y) + 0.5) / whole;
-        const glm::dvec2 place = (share - part.begin) / (part.end - part.begin) * size;
+        glm::dvec2 place = (share - part.begin) / (part.end - part.begin) * size;
+        if (goes_round && place.x < 0.0) place.x += size.x;
         if (place.x < 0.0 || place.y < 0.0 || place.x > size.x || place.y > size.y) continue;
         const glm::vec4 light = bicubic(glm::vec2(place), around);
         std::copy_n(&light.x, 3, panorama.texel(x, y));
@@ -106,6 +108,10 @@ std::pair<glm::ivec2, glm::ivec2> knownTexels(const PictureWindow& window) {
   return {glm::max(window.corner, glm::ivec2(0)), glm::min(window.corner + size, window.whole)};
 }
 
+std::string notTwoToOneText(const PanoramaArea& area) {
+  return sizeText(area.size) + " of a panorama of " + sizeText(area.whole) + ", and a whole panorama is 2:1";
+}
+
 }  // namespace
 
 bool isNearlyWholePanorama(glm::ivec2 size) {
@@ -116,15 +122,28 @@ bool isNearlyWholePanorama(glm::ivec2 size) {
 }
 
 Result<PanoramaPart> panoramaPart(const PanoramaArea& area) {
+  if (isStrip(area)) return fail(ErrorCode::bad_shape, notTwoToOneText(area));
+  return panoramaPartOfStrip(area);
+}
+
+bool isStrip(const PanoramaArea& area) {
+  return area.whole.x - 2 * std::int64_t{area.whole.y} > area.whole.x / 100 + 2;
+}
+
+Result<PanoramaPart> panoramaPartOfStrip(const PanoramaArea& area) {
   const auto [corner, size, whole] = area;
-  if (size.x < 1 || size.y < 1 || whole.x < 2 || whole.y < 1 || std::abs(whole.x - 2 * whole.y) > whole.x / 100 + 2)
-    return fail(ErrorCode::bad_shape,
-                sizeText(size) + " of a panorama of " + sizeText(whole) + ", and a whole panorama is 2:1");
-  if (corner.x < 0 || corner.y < 0 || size.x > whole.x - corner.x || size.y > whole.y - corner.y)
+  const bool is_too_high = 2 * std::int64_t{whole.y} - whole.x > whole.x / 100 + 2;
+  if (size.x < 1 || size.y < 1 || whole.x < 2 || whole.y < 1 || is_too_high)
+    return fail(ErrorCode::bad_shape, notTwoToOneText(area));
+  if (corner.x < 0 || corner.x >= whole.x || corner.y < 0 || size.x > whole.x || size.y > whole.y - corner.y)
     return fail(ErrorCode::bad_shape, sizeText(size) + " at (" + std::to_string(corner.x) + ", " +
                                           std::to_string(corner.y) + "), which reaches beyond a panorama of " +
                                           sizeText(whole));
-  return PanoramaPart{glm::dvec2(corner) / glm::dvec2(whole), glm::dvec2(corner + size) / glm::dvec2(whole)};
+  if (!isStrip(area))
+    return PanoramaPart{glm::dvec2(corner) / glm::dvec2(whole), glm::dvec2(corner + size) / glm::dvec2(whole)};
+  const glm::dvec2 sphere(whole.x, 0.5 * whole.x);
+  const glm::dvec2 first = glm::dvec2(corner) + glm::dvec2(0.0, 0.5 * (sphere.y - whole.y));
+  return PanoramaPart{first / sphere, (first + glm::dvec2(size)) / sphere};
 }
 
 Result<PanoramaPart> panoramaPartNamed(std::string_view word) {
@@ -157,11 +176,29 @@ std::string textOf(const PanoramaPart& part) {
   return rounded(degrees.x) + " x " + rounded(degrees.y) + " degrees";
 }
 
-double shareOfSphere(const PictureWindow& window) {
-  const auto [begin, end] = knownTexels(window);
+double shareOfSphere(const PictureWindow& window, bool goes_round) {
+  auto [begin, end] = knownTexels(window);
+  if (goes_round) end.x = begin.x + std::min(window.size.x, window.whole.x);
   if (begin.x >= end.x || begin.y >= end.y) return 0.0;
   const double row = std::numbers::pi / window.whole.y;
   return double(end.x - begin.x) / window.whole.x * 0.5 * (std::cos(begin.y * row) - std::cos(end.y * row));
+}
+
+PictureWindow windowInPanorama(const PictureWindow& window, const PanoramaPart& part, glm::ivec2 whole) {
+  const auto [first, last] = knownTexels(window);
+  const auto texelAt = [&, part](glm::ivec2 corner) {
+    const glm::dvec2 share = glm::dvec2(corner) / glm::dvec2(window.whole);
+    return glm::ivec2(glm::round((part.begin + share * (part.end - part.begin)) * glm::dvec2(whole)));
+  };
+  PictureWindow placed{.whole = whole, .corner = texelAt(first), .source = window.source};
+  placed.size = glm::max(texelAt(glm::max(first, last)) - placed.corner, glm::ivec2(1));
+  return placed;
+}
+
+void turnColumns(Image& panorama, int columns) {
+  const std::ptrdiff_t kept = std::ptrdiff_t{panorama.width() - columns} * panorama.channels();
+  for (int y = 0; y < panorama.height(); ++y)
+    std::rotate(panorama.row(y).begin(), panorama.row(y).begin() + kept, panorama.row(y).end());
 }
 
 Result<Image> placedInPanorama(Image picture, const PanoramaPart& part, PictureWindow& window) {

@@ -70,10 +70,13 @@ TEST(PanoramaPart, WordsThatCannotBeMeantAreRefused) {
            {"crop=0,0,256,128", "crop=X,Y,W,H/FULLWxFULLH in texels"},
            {"crop=0,0,2.5,128/512x256", "crop=X,Y,W,H/FULLWxFULLH in texels"},
            {"crop=0,0,1e30,128/512x256", "crop=X,Y,W,H/FULLWxFULLH in texels"},
-           {"crop=300,0,256,128/512x256", "is 256x128 at (300, 0), which reaches beyond a panorama of 512x256"},
+           {"crop=0,200,256,128/512x256", "is 256x128 at (0, 200), which reaches beyond a panorama of 512x256"},
+           {"crop=512,0,256,128/512x256", "reaches beyond"},
+           {"crop=0,0,513,128/512x256", "reaches beyond"},
            {"crop=-1,0,256,128/512x256", "reaches beyond"},
            {"crop=0,0,0,128/512x256", "a whole panorama is 2:1"},
            {"crop=0,0,16,16/512x400", "16x16 of a panorama of 512x400, and a whole panorama is 2:1"},
+           {"crop=0,0,16,16/512x100", "16x16 of a panorama of 512x100, and a whole panorama is 2:1"},
            {"fov=0x90", "at most 360x180"},
            {"fov=361x90", "at most 360x180"},
            {"fov=360x181", "at most 360x180"},
@@ -94,6 +97,28 @@ TEST(PanoramaPart, TheWholeHasThePicturesDetail) {
   EXPECT_EQ(heightOfWhole({8191, 4096}, PanoramaPart{}), 4096);
   EXPECT_FALSE(heightOfWhole({4096, 900}, named("fov=360x90"))) << "another proportion";
   EXPECT_FALSE(heightOfWhole({1 << 15, 1 << 14}, named("crop=0,0,2,1/16777216x8388608"))) << "too large for an int";
+}
+
+TEST(PanoramaPart, ItMayGoOnAcrossTheSeam) {
+  const PanoramaPart part = named("crop=384,64,256,128/512x256");
+  EXPECT_TRUE(part.crossesSeam());
+  EXPECT_EQ(part.begin, glm::dvec2(0.75, 0.25));
+  EXPECT_EQ(part.end, glm::dvec2(1.25, 0.75));
+  const PanoramaPart circle = named("crop=100,0,512,256/512x256");
+  EXPECT_TRUE(circle.crossesSeam() && circle.showsAll() && !circle.isWhole());
+  EXPECT_FALSE(named("crop=256,0,256,256/512x256").crossesSeam());
+}
+
+TEST(PanoramaPart, AWholeWiderThanTwoToOneIsAStripAboutTheHorizon) {
+  const auto part = panoramaPartOfStrip({{0, 0}, {8000, 2000}, {8000, 2000}});
+  ASSERT_TRUE(part) << part.error().message;
+  EXPECT_EQ(part->begin, glm::dvec2(0.0, 0.25));
+  EXPECT_EQ(part->end, glm::dvec2(1.0, 0.75));
+  const auto upper = panoramaPartOfStrip({{2000, 0}, {4000, 1000}, {8000, 2000}});
+  EXPECT_EQ(upper->begin, glm::dvec2(0.25, 0.25));
+  EXPECT_EQ(upper->end, glm::dvec2(0.75, 0.5));
+  EXPECT_FALSE(panoramaPartOfStrip({{0, 0}, {512, 400}, {512, 400}})) << "narrower than 2:1";
+  EXPECT_EQ(panoramaPartOfStrip({{128, 64}, {256, 128}, {512, 256}})->begin, glm::dvec2(0.25));
 }
 
 TEST(PanoramaPart, NearlyTwoToOneIsWhole) {

@@ -15,9 +15,10 @@ constexpr std::string_view kGPano = "http://ns.google.com/photos/1.0/panorama/";
 constexpr std::size_t kEnd_bytes = std::size_t{1} << 20;
 
 /// The fields by one of which a packet is the Photo Sphere's: a JPEG may have two, one of which only names the other.
-constexpr std::array<std::string_view, 6> kTellingFields{"ProjectionType",      "CroppedAreaImageWidthPixels",
+constexpr std::array<std::string_view, 7> kTellingFields{"ProjectionType",      "CroppedAreaImageWidthPixels",
                                                          "FullPanoWidthPixels", "PoseHeadingDegrees",
-                                                         "PosePitchDegrees",    "PoseRollDegrees"};
+                                                         "PosePitchDegrees",    "PoseRollDegrees",
+                                                         "StereoMode"};
 
 constexpr std::array<std::string_view, 4> kCropFields{"CroppedAreaImageWidthPixels", "CroppedAreaImageHeightPixels",
                                                       "CroppedAreaLeftPixels", "CroppedAreaTopPixels"};
@@ -42,6 +43,16 @@ std::optional<XmpProperties> packetIn(std::string_view text) {
   return std::nullopt;
 }
 
+/// How two eyes lie in one picture, as the fields of spherical videos state it; "" where none does.
+std::string stereoModeIn(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kSpherical = "http://ns.google.com/videos/1.0/spherical/";
+  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string_view begin = all.substr(0, kEnd_bytes);
+  if (begin.find(kSpherical) == std::string_view::npos) return {};
+  const std::vector<std::string_view> modes = XmpProperties(begin, kSpherical, "GSpherical").values("StereoMode");
+  return modes.empty() ? std::string() : lowerCase(modes.front());
+}
+
 /// The part of the panorama that the fields state.
 ///
 /// returns  nothing where none of the crop's is there
@@ -61,7 +72,7 @@ Result<std::optional<PanoramaArea>> statedArea(const PhotoSphereFields& fields) 
     MIRRORBALL_TRY(texels, fields.texels(name));
     *number = texels;
   }
-  if (const auto part = panoramaPart(area); !part)
+  if (const auto part = panoramaPartOfStrip(area); !part)
     return fail(part.error().code, "its GPano says that it is " + part.error().message);
   return area;
 }
@@ -112,8 +123,10 @@ bool PhotoSphere::isTilted() const {
 
 std::optional<PhotoSphere> photoSphereIn(std::span<const std::uint8_t> bytes) {
   const auto fields = PhotoSphereFields::in(bytes);
-  if (!fields) return std::nullopt;
-  PhotoSphere sphere;
+  PhotoSphere sphere{.stereo = stereoModeIn(bytes)};
+  if (!fields && sphere.stereo.empty()) return std::nullopt;
+  if (!fields) return sphere;
+  if (sphere.stereo.empty()) sphere.stereo = lowerCase(fields->text("StereoMode").value_or(""));
   sphere.projection = lowerCase(fields->text("ProjectionType").value_or(""));
   // What is wrong is left out, and reported.
   const auto unlessWrong = [&](auto result) {

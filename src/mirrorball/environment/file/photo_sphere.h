@@ -49,6 +49,7 @@ class PhotoSphereFields {
 struct PhotoSphere {
   std::string projection = {};            ///< "equirectangular"; empty: unsaid
   std::optional<PanoramaArea> area = {};  ///< of the panorama, that the picture shows, if not all of it
+  std::string stereo = {};                ///< "top-bottom", "left-right": two eyes in one picture; empty: unsaid
   double pitch_deg = 0.0;                 ///< as in CompassHeading, and the next
   double roll_deg = 0.0;
   std::vector<std::string> mistakes = {};  ///< a line for each field that cannot be meant; above they are left out
@@ -57,7 +58,8 @@ struct PhotoSphere {
   bool isTilted() const;
 };
 
-/// from     Google, Photo Sphere XMP Metadata (developers.google.com/streetview/spherical-metadata)
+/// from     Google, Photo Sphere XMP Metadata (developers.google.com/streetview/spherical-metadata); the two eyes:
+///          Google, Spherical Video RFC, StereoMode, which pictures have in either namespace
 /// cost     as PhotoSphereFields::in
 std::optional<PhotoSphere> photoSphereIn(std::span<const std::uint8_t> bytes);
 

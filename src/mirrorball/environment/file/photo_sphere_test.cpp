@@ -68,6 +68,18 @@ TEST(PhotoSphere, TheEndOfALargeFileIsLookedThroughToo) {
   EXPECT_TRUE(photoSphereIn(*ends));
 }
 
+TEST(PhotoSphere, StereoIsStatedInEitherNamespace) {
+  const auto sphere = sphereIn(packetWith("GPano:StereoMode=\"Top-Bottom\""));
+  ASSERT_TRUE(sphere);
+  EXPECT_EQ(sphere->stereo, "top-bottom");
+  const auto video = sphereIn(
+      "<rdf:SphericalVideo xmlns:GSpherical=\"http://ns.google.com/videos/1.0/spherical/\">"
+      "<GSpherical:StereoMode>left-right</GSpherical:StereoMode></rdf:SphericalVideo>");
+  ASSERT_TRUE(video);
+  EXPECT_EQ(video->stereo, "left-right");
+  EXPECT_FALSE(video->isTilted());
+}
+
 TEST(PhotoSphere, WhatCannotBeMeantIsToldAndLeftOut) {
   const auto mistakesIn = [](const std::string& attributes) {
     const auto sphere = sphereIn(packetWith(attributes));
@@ -85,8 +97,8 @@ TEST(PhotoSphere, WhatCannotBeMeantIsToldAndLeftOut) {
   EXPECT_THAT(mistakesIn(changed("Left", "Lost")),
               ElementsAre(HasSubstr("its GPano:CroppedAreaLeftPixels is missing")));
   EXPECT_THAT(
-      mistakesIn(changed("\"128\" GPano:CroppedAreaTop", "\"400\" GPano:CroppedAreaTop")),
-      ElementsAre(HasSubstr("its GPano says that it is 256x128 at (400, 64), which reaches beyond a panorama of "
+      mistakesIn(changed("TopPixels=\"64\"", "TopPixels=\"200\"")),
+      ElementsAre(HasSubstr("its GPano says that it is 256x128 at (128, 200), which reaches beyond a panorama of "
                             "512x256: that crop is ignored")));
   EXPECT_THAT(mistakesIn(changed("\"512\"", "\"300\"")), ElementsAre(HasSubstr("a whole panorama is 2:1")));
   for (const std::string number : {"1e30", "nan", "many", ""})

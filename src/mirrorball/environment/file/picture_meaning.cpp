@@ -1,8 +1,10 @@
 #include "mirrorball/environment/file/picture_meaning.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/file/picture_content.h"
 
 namespace mirrorball {
 namespace {
@@ -13,17 +15,22 @@ bool isOpenToPhotoSphere(const FormHint& hint, const Metadata& metadata) {
   return !hint.layout && !statesForm(metadata);
 }
 
+/// Whether a form is a panorama whose texels are ours: one that may be a part, tilted or nearly 2:1.
+bool isPlainPanorama(const MapForm& form) {
+  return form.projection == Projection::equirect && !form.has_texels_on_edges;
+}
+
 /// The part of the panorama that the picture shows, where its size agrees with what the Photo Sphere says. A picture
 /// that was scaled after its fields were written has another size, and the part's proportion; one that was put into its
 /// place on black, with the fields kept, has the whole panorama's size.
 std::optional<PanoramaPart> partByPhotoSphere(const PanoramaArea& area, glm::ivec2 size,
                                               std::vector<std::string>& oddities) {
-  const Result<PanoramaPart> part = panoramaPart(area);
+  const Result<PanoramaPart> part = panoramaPartOfStrip(area);
   if (!part || part->isWhole()) return std::nullopt;
   const std::string claim =
       "its GPano says that it is " + sizeText(area.size) + " of a panorama of " + sizeText(area.whole) + ", and it ";
   const std::string by_hand = "; {option:from} equirect:crop=X,Y,W,H/FULLWxFULLH says it by hand";
-  if (size == area.whole) {
+  if (size == area.whole && area.size != area.whole) {
     oddities.push_back(claim + "has the size of the whole: taken as the whole" + by_hand);
     return std::nullopt;
   }
@@ -40,10 +47,13 @@ std::string nearlyWholeText(glm::ivec2 size) {
          sizeText({2 * height, height});
 }
 
-std::string emptyRestText(const PanoramaPart& part, bool is_by_photo_sphere) {
-  const std::string rest = "holds " + textOf(part) + " of a panorama" +
-                           (is_by_photo_sphere ? ", as its GPano says" : "") +
-                           ": the rest of the sphere is black, and lights nothing; ";
+/// strip    the Photo Sphere's area, if its whole is taken as a strip
+std::string emptyRestText(const PanoramaPart& part, bool is_by_photo_sphere, const std::optional<PanoramaArea>& strip) {
+  const std::string rest =
+      "holds " + textOf(part) + " of a panorama" + (is_by_photo_sphere ? ", as its GPano says" : "") +
+      (strip ? ", whose whole of " + sizeText(strip->whole) + " is taken as a strip about the horizon"
+             : std::string()) +
+      ": the rest of the sphere is black, and lights nothing; ";
   if (!is_by_photo_sphere) return rest + "the word fill=smooth behind its crop or fov continues the picture into it";
   return rest +
          "{option:from} equirect:fill=smooth continues the picture into it, {option:from} equirect:crop=none "
@@ -56,6 +66,32 @@ std::string tiltText(const CameraTilt& tilt) {
 }
 
 }  // namespace
+
+bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint) {
+  return hint.eye || (sphere && !sphere->stereo.empty()) || size.x == size.y || size.x == 4 * size.y;
+}
+
+StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
+                    const FormHint& hint) {
+  if (hint.eye) return {hint.eye};
+  const glm::ivec2 size(picture.width(), picture.height());
+  if (!isOpenToPhotoSphere(hint, metadata) || hint.part || hint.is_whole || !mayBeStereo(size, sphere, hint)) return {};
+  const std::string mode = sphere ? sphere->stereo : std::string();
+  if (mode == "mono") return {};
+  std::optional<PictureHalf> half;
+  if (mode == "top-bottom" || mode == "left-right") half = mode[0] == 't' ? PictureHalf::top : PictureHalf::left;
+  const bool is_stated = half && isNearlyWholePanorama(sizeOfHalf(size, *half));
+  if (!is_stated) half = equalHalves(picture);
+  if (!half) return {};
+  const bool is_top = half == PictureHalf::top;
+  std::string oddity = is_stated ? "is a stereo picture, as its StereoMode says"
+                                 : "holds two panoramas that are nearly equal, as a stereo picture's";
+  oddity += is_top ? ": the upper one is read" : ": the left one is read";
+  oddity += "; {option:from} equirect:eye=" + std::string(nameOf(is_top ? PictureHalf::bottom : PictureHalf::right)) +
+            " reads the other";
+  if (!is_stated && is_top) oddity += ", {option:from} sphere the whole as one map";
+  return {half, std::move(oddity)};
+}
 
 Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                                    const FormHint& hint) {
@@ -76,12 +112,14 @@ Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, co
   MIRRORBALL_TRY(recognition, recognize(size.x, size.y, metadata, settled));
   meaning.recognition = std::move(recognition);
   const MapForm& form = meaning.recognition.form;
-  if (form.projection != Projection::equirect || form.has_texels_on_edges) return meaning;
+  if (!isPlainPanorama(form)) return meaning;
   if (tells && !hint.projection && settled.projection) meaning.recognition.told_by = "its GPano";
 
   meaning.part = settled.part;
-  if (meaning.part && !meaning.part->isWhole() && !hint.rest)
-    meaning.oddities.push_back(emptyRestText(*meaning.part, !hint.part));
+  if (meaning.part && !meaning.part->showsAll() && !hint.rest) {
+    const bool is_strip = !hint.part && isStrip(*sphere->area);
+    meaning.oddities.push_back(emptyRestText(*meaning.part, !hint.part, is_strip ? sphere->area : std::nullopt));
+  }
   if (!meaning.part && size.x != 2 * size.y) {
     meaning.part = PanoramaPart{};
     meaning.oddities.push_back(nearlyWholeText(size));
@@ -99,16 +137,31 @@ void adviseOnRest(const PictureWindow& window, std::vector<std::string>& odditie
 }
 
 Result<void> completePanorama(const PictureMeaning& meaning, const FormHint& hint, DecodedImage& decoded) {
-  const MapForm& form = meaning.recognition.form;
-  if (form.projection != Projection::equirect || form.has_texels_on_edges) return {};
+  if (!isPlainPanorama(meaning.recognition.form)) return {};
   if (decoded.window && !hint.rest) adviseOnRest(*decoded.window, decoded.oddities);
-  if (meaning.part) {
-    PictureWindow window{.source = hint.part ? "the form that was named" : "its GPano"};
-    MIRRORBALL_TRY(panorama, placedInPanorama(std::move(decoded.image), *meaning.part, window));
-    decoded.image = std::move(panorama);
-    if (!meaning.part->isWhole()) decoded.window = std::move(window);
+  const bool is_continued = hint.rest == PanoramaRest::smooth;
+  // Before its edge is mixed with the black around it.
+  if (decoded.window && is_continued) MIRRORBALL_TRY_VOID(fillAround(*decoded.window, decoded.image));
+  if (!meaning.part) return {};
+  PanoramaPart part = *meaning.part;
+  int columns_before = 0;
+  if (const auto height = heightOfWhole({decoded.image.width(), decoded.image.height()}, part);
+      height && part.crossesSeam()) {
+    const int columns = 2 * *height;
+    columns_before = std::min(static_cast<int>(part.begin.x * columns), columns);
+    const glm::dvec2 turn(double(columns_before) / columns, 0.0);
+    part = {part.begin - turn, part.end - turn};
   }
-  if (decoded.window && hint.rest == PanoramaRest::smooth) return fillAround(*decoded.window, decoded.image);
+  PictureWindow placed{.source = hint.part ? "the form that was named" : "its GPano"};
+  MIRRORBALL_TRY(panorama, placedInPanorama(std::move(decoded.image), part, placed));
+  if (is_continued && !part.showsAll()) MIRRORBALL_TRY_VOID(fillAround(placed, panorama));
+  turnColumns(panorama, columns_before);
+  decoded.image = std::move(panorama);
+  if (decoded.window)
+    decoded.window = windowInPanorama(*decoded.window, part, placed.whole);
+  else if (!part.showsAll())
+    decoded.window = std::move(placed);
+  if (decoded.window) decoded.window->corner.x += columns_before;
   return {};
 }
 

@@ -27,6 +27,22 @@ struct PictureMeaning {
   bool changesPicture() const { return part || tilt; }
 };
 
+/// Which half of a stereo picture is read.
+struct StereoEye {
+  std::optional<PictureHalf> half = {};  ///< nothing: the picture is one map
+  std::string oddity = {};               ///< DecodedImage's: that it was decided here
+};
+
+/// Decides by the hint, then by what the file says, then by the picture's light, whether a picture holds two panoramas,
+/// one for each eye.
+///
+/// picture  as decoded
+StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
+                    const FormHint& hint);
+
+/// Whether that needs the picture's light.
+bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint);
+
 /// Decides by the hint, then by the file's own metadata, then by the Photo Sphere that the file says it is, then by the
 /// picture's shape.
 ///

@@ -1,14 +1,17 @@
 #include "mirrorball/environment/file/picture_meaning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/file/photo_sphere_testing.h"
 
@@ -116,6 +119,59 @@ TEST(PictureMeaning, APartIsNamedByHand) {
   EXPECT_EQ(wrong.error().message, "is 300x200, and 360 x 90 degrees of a panorama are 4:1");
 }
 
+TEST(PictureMeaning, AWholeWiderThanTwoToOneIsRemarkedWithItsPart) {
+  const PictureMeaning meaning = meant(
+      {1024, 256},
+      "GPano:ProjectionType=\"equirectangular\" GPano:FullPanoWidthPixels=\"1024\" GPano:FullPanoHeightPixels=\"256\" "
+      "GPano:CroppedAreaImageWidthPixels=\"1024\" GPano:CroppedAreaImageHeightPixels=\"256\" "
+      "GPano:CroppedAreaLeftPixels=\"0\" GPano:CroppedAreaTopPixels=\"0\"");
+  ASSERT_TRUE(meaning.part);
+  EXPECT_EQ(meaning.part->begin, glm::dvec2(0.0, 0.25));
+  EXPECT_THAT(meaning.oddities, ElementsAre(HasSubstr("holds 360 x 90 degrees of a panorama, as its GPano says, whose "
+                                                      "whole of 1024x256 is taken as a strip about the horizon: the")));
+}
+
+TEST(PictureMeaning, AnEyeOfAStereoPictureIsChosen) {
+  const Image square(512, 512, 3, 0.5f);
+  const auto chosen = [&](const Image& picture, const std::string& attributes, std::string_view hint = "") {
+    return chooseEye(picture, {}, sphereIn(packetWith(attributes)), *formHintNamed(hint));
+  };
+  const StereoEye stated = chosen(square, "GPano:StereoMode='top-bottom'");
+  EXPECT_EQ(stated.half, PictureHalf::top);
+  EXPECT_EQ(
+      stated.oddity,
+      "is a stereo picture, as its StereoMode says: the upper one is read; {option:from} equirect:eye=bottom reads "
+      "the other");
+  EXPECT_EQ(chosen(Image(1024, 256, 3), "GPano:StereoMode='left-right'").half, PictureHalf::left);
+  EXPECT_EQ(chosen(square, "GPano:StereoMode='left-right'").half, std::nullopt) << "not the shape of two panoramas";
+  EXPECT_EQ(chosen(square, "").half, std::nullopt) << "one colour shows nothing";
+  EXPECT_EQ(chosen(square, "GPano:StereoMode='top-bottom'", "sphere").half, std::nullopt);
+  const StereoEye named = chosen(square, "", "equirect:eye=bottom");
+  EXPECT_EQ(named.half, PictureHalf::bottom);
+  EXPECT_EQ(named.oddity, "");
+  EXPECT_THAT(formHintNamed("equirect:eye=middle").error().message, HasSubstr("eye=top, bottom, left or right"));
+}
+
+TEST(PictureMeaning, TheWindowOfAPictureThatIsResampledIsThatOfTheMap) {
+  const auto completed = [](std::string_view hint) {
+    DecodedImage decoded{.image = Image(512, 255, 3)};
+    decoded.window = PictureWindow{.whole = {512, 255}, .corner = {128, 85}, .source = "its window", .size = {256, 85}};
+    for (int y = 85; y < 170; ++y) std::fill_n(decoded.image.texel(128, y), 3 * 256, 0.5f);
+    const FormHint named = *formHintNamed(hint);
+    const auto done = completePanorama(*readMeaning({512, 255}, {}, {}, named), named, decoded);
+    EXPECT_TRUE(done) << done.error().message;
+    EXPECT_EQ(decoded.image.height(), 256);
+    return decoded;
+  };
+  const DecodedImage plain = completed("");
+  ASSERT_TRUE(plain.window);
+  EXPECT_EQ(plain.window->whole, glm::ivec2(512, 256));
+  EXPECT_EQ(plain.window->corner, glm::ivec2(128, 85));
+  EXPECT_EQ(plain.window->size, glm::ivec2(256, 86));
+  const DecodedImage filled = completed("equirect:fill=smooth");
+  for (const float sample : filled.image.samples()) ASSERT_NEAR(sample, 0.5f, 1e-3f) << "no black is mixed in";
+}
+
 /// Files of grey panoramas, which are read by rows where they need not be completed.
 class CompletedPanoramaTest : public ::testing::Test {
  protected:
@@ -168,6 +224,48 @@ TEST_F(CompletedPanoramaTest, WhatIsLoadedIsTheWholeAndSaysWhatOfItTheFileHolds)
   ASSERT_TRUE(level) << level.error().message;
   EXPECT_TRUE(level->is_levelled);
   EXPECT_NEAR(level->environment.radiance({0, 1, 0}).x, 0.5f, 1e-4f);
+}
+
+TEST_F(CompletedPanoramaTest, APartGoesOnAcrossTheSeam) {
+  std::string attributes = kHalfOfPanorama;
+  attributes.replace(attributes.find("Left") + 12, 3, "384");
+  const auto loaded = loadEnvironment(panorama({256, 128}, attributes));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->environment.map()->extent(), glm::ivec2(512, 256));
+  ASSERT_TRUE(loaded->window);
+  EXPECT_EQ(loaded->window->corner, glm::ivec2(384, 64));
+  EXPECT_TRUE(loaded->window_goes_round);
+  EXPECT_NEAR(shareOfSphere(*loaded->window, true), std::sqrt(0.125), 1e-6);
+  for (const glm::vec3 d : {glm::vec3(0, 0, -1), glm::vec3(0.6f, 0, -0.8f), glm::vec3(-0.6f, 0, -0.8f)})
+    EXPECT_EQ(loaded->environment.radiance(d), glm::vec3(0.5f));
+  EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(0.0f));
+  const auto filled =
+      loadEnvironment(panorama({256, 128}, attributes), {.from = *formHintNamed("equirect:fill=smooth")});
+  ASSERT_TRUE(filled) << filled.error().message;
+  for (const glm::vec3 d : testing::manyDirections(100)) EXPECT_NEAR(filled->environment.radiance(d).x, 0.5f, 1e-3f);
+  // The whole circle, from another meridian, between texels.
+  const auto turned =
+      loadEnvironment(panorama({512, 256}, ""), {.from = *formHintNamed("equirect:crop=1001,0,4096,2048/4096x2048")});
+  ASSERT_TRUE(turned) << turned.error().message;
+  EXPECT_FALSE(turned->window);
+  EXPECT_TRUE(turned->oddities.empty());
+  for (const glm::vec3 d : testing::manyDirections(100)) EXPECT_NEAR(turned->environment.radiance(d).x, 0.5f, 1e-3f);
+}
+
+TEST_F(CompletedPanoramaTest, OneEyeOfTwoIsLoaded) {
+  const std::string path = (folder_ / "stereo.hdr").string();
+  Image both(256, 256, 3, 0.25f);
+  for (int y = 128; y < 256; ++y) std::fill_n(both.texel(0, y), 3 * 256, 0.75f);
+  ASSERT_TRUE(writeImage(path, both));
+  for (const auto& [hint, light] : {std::pair("equirect:eye=top", 0.25f), std::pair("equirect:eye=bottom", 0.75f)}) {
+    EXPECT_FALSE(*openPanorama(path, {.from = *formHintNamed(hint)}));
+    const auto loaded = loadEnvironment(path, {.from = *formHintNamed(hint)});
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->file_size, glm::ivec2(256));
+    EXPECT_EQ(loaded->environment.map()->extent(), glm::ivec2(256, 128));
+    EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(light));
+  }
+  EXPECT_EQ(loadEnvironment(path, {.from = *formHintNamed("equirect:eye=left")}).error().code, ErrorCode::bad_shape);
 }
 
 // The smaller levels of a texture are not those of the panorama that was made of it.

@@ -31,7 +31,7 @@ std::string proportionText(CubeLayout layout) {
   return std::to_string(cells.x) + ":" + std::to_string(cells.y);
 }
 
-bool isCube(const FormHint& hint) { return hint.layout || (hint.projection && faceCount(*hint.projection) == 6); }
+bool isCube(const FormHint& hint) { return hint.namesForm() && hint.allowsCube(); }
 
 /// The axis in the middle of a panorama.
 Result<SignedAxis> centreNamed(std::string_view name) {
@@ -65,11 +65,15 @@ Result<void> applyPanoramaWord(const std::string& word, const std::string& value
     hint.rest = value == "smooth" ? PanoramaRest::smooth : PanoramaRest::black;
   } else if (word == "level=no" || word == "level=yes") {
     hint.stays_tilted = value == "no";
+  } else if (const auto half = std::find(kPictureHalfNames.begin(), kPictureHalfNames.end(), value);
+             word.starts_with("eye=") && half != kPictureHalfNames.end()) {
+    hint.eye = static_cast<PictureHalf>(half - kPictureHalfNames.begin());
   } else {
     return fail(ErrorCode::usage,
                 "'" + excerpt(word) +
                     "' says nothing of a map of projection equirect; for=PROGRAM, centre=AXIS, "
-                    "crop=X,Y,W,H/FULLWxFULLH or crop=none, fov=HxV, fill=smooth or fill=black, and level=no do");
+                    "crop=X,Y,W,H/FULLWxFULLH or crop=none, fov=HxV, fill=smooth or fill=black, level=no, and "
+                    "eye=top, bottom, left or right do");
   }
   return {};
 }
@@ -100,7 +104,7 @@ Result<void> checkPanorama(const FormHint& hint) {
 Result<void> applyWord(const std::string& word, FormHint& hint) {
   const std::string key = word.substr(0, word.find('='));
   const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
-  if (!hint.projection && !hint.layout)
+  if (!hint.namesForm())
     return fail(ErrorCode::usage, "'" + excerpt(word) + "' needs the form before it, as in equirect:" + excerpt(word));
   if (key == "for") return applyPreset(value, hint);
   if (hint.projection == Projection::equirect) return applyPanoramaWord(word, value, hint);
@@ -221,11 +225,14 @@ Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
 }
 
 Result<Recognition> recognizeShape(int width, int height) {
-  if (width == 2 * height) return Recognition{{Projection::equirect}, "its shape, 2:1"};
-  if (width == height) return Recognition{{Projection::sphere}, "its shape, 1:1"};
+  if (width == 2 * height)
+    return Recognition{.form = {Projection::equirect}, .told_by = "its shape, 2:1", .is_by_shape = true};
+  if (width == height)
+    return Recognition{.form = {Projection::sphere}, .told_by = "its shape, 1:1", .is_by_shape = true};
   if (const auto layout = layoutOfShape(width, height))
-    return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout), true};
-  if (isNearlyWholePanorama({width, height})) return Recognition{{Projection::equirect}, "its shape, nearly 2:1"};
+    return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout), true, true};
+  if (isNearlyWholePanorama({width, height}))
+    return Recognition{.form = {Projection::equirect}, .told_by = "its shape, nearly 2:1", .is_by_shape = true};
   return fail(ErrorCode::bad_shape,
               "is " + sizeText({width, height}) +
                   ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); " +
@@ -304,7 +311,7 @@ bool isRecognizedUnsaid(const MapForm& form) {
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
   const auto stated = hintOfMetadata(metadata);
   const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
-  if (hint.projection || hint.layout) {
+  if (hint.namesForm()) {
     const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
     return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), ""};
   }
@@ -314,11 +321,11 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
 
 bool statesForm(const Metadata& metadata) {
   const auto stated = hintOfMetadata(metadata);
-  return !stated || stated->projection || stated->layout;
+  return !stated || stated->namesForm();
 }
 
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint) {
-  if (hint.projection || hint.layout) {
+  if (hint.namesForm()) {
     MIRRORBALL_TRY(form, formOfHint(hint, width, height));
     return Recognition{form, ""};
   }

@@ -2,11 +2,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/cube/preset.h"
 #include "mirrorball/environment/file/map_form.h"
 #include "mirrorball/environment/file/panorama_part.h"
+#include "mirrorball/environment/file/picture_half.h"
 
 namespace mirrorball {
 
@@ -29,6 +31,12 @@ struct FormHint {
   bool is_whole = false;                  ///< the picture shows all, whatever its file says
   std::optional<PanoramaRest> rest = {};  ///< what becomes of the directions that it does not show; nothing: black
   bool stays_tilted = false;              ///< it is not levelled where its file says how the camera was tilted
+  std::optional<PictureHalf> eye = {};    ///< of a stereo picture, the half that is read
+
+  /// Whether it says of which form a map is, and not only which layer holds it.
+  bool namesForm() const { return projection || layout; }
+  /// Whether it leaves it open that a map is a cube.
+  bool allowsCube() const { return !projection || faceCount(*projection) == 6; }
 };
 
 /// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout
@@ -41,6 +49,7 @@ struct FormHint {
 ///   fov=HxV              the same in degrees around its middle: "fov=360x90"
 ///   fill=smooth, fill=black   what becomes of the rest
 ///   level=no             it is not levelled where its file says how the camera was tilted
+///   eye=HALF             of a stereo picture of two panoramas, the one at the "top", "bottom", "left" or "right"
 ///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several
 ///
 /// errors   usage: lists the names
@@ -49,8 +58,15 @@ Result<FormHint> formHintNamed(std::string_view name);
 /// A form, and how it was recognised.
 struct Recognition {
   MapForm form;
-  std::string told_by;    ///< "the file's metadata", "its shape, 2:1"; empty: the hint
-  bool is_guess = false;  ///< only shape or names told it: another form may be right
+  std::string told_by;       ///< "the file's metadata", "its shape, 2:1"; empty: the hint
+  bool is_guess = false;     ///< of a cube: only shape or names told it, and another form may be right
+  bool is_by_shape = false;  ///< only the picture's shape told it
+};
+
+/// Doubts about the form that was recognised.
+struct FormDoubt {
+  std::string message = {};                   ///< empty: no doubt
+  std::vector<std::string> other_forms = {};  ///< for `formHintNamed`: other possible forms
 };
 
 /// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a
@@ -87,7 +103,7 @@ bool statesForm(const Metadata& metadata);
 
 /// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
 /// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles; nearly 2:1 equirect, see
-/// isNearlyWholePanorama). All other forms have to be named. The picture of a panorama may have another shape than
+/// isNearlyWholePanorama). Its content may say more (picture_content.h). All other forms have to be named. The picture of a panorama may have another shape than
 /// 2:1: where the hint says that it is a part, or where it is nearly 2:1.
 ///
 /// errors   bad_shape: the shape fits no form, or not the named one; or, without a hint, the metadata says that it is

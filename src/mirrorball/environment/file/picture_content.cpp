@@ -1,0 +1,223 @@
+#include "mirrorball/environment/file/picture_content.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mirrorball/environment/cube/cube_layout.h"
+
+namespace mirrorball {
+namespace {
+
+/// The brightest channel of a texel; NaN and infinity are not light.
+float brightness(const Image& picture, int x, int y) {
+  const glm::vec3 light = rgbAt(picture, x, y);
+  const float brightest = std::max({light.x, light.y, light.z, 0.0f});
+  return std::isfinite(brightest) ? brightest : 0.0f;
+}
+
+/// A square part of a picture, of which texels are taken on a grid.
+struct Square {
+  const Image& picture;
+  glm::ivec2 corner;
+  int side;
+
+  /// Calls visit(place, brightness) with places in [-1, 1]² about the middle.
+  template <typename Visit>
+  void forEachSample(Visit&& visit) const {
+    constexpr int kMostSamples = 128;
+    const int count = std::min(side, kMostSamples);
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i) {
+        const glm::ivec2 texel((glm::dvec2(i, j) + 0.5) / double(count) * double(side));
+        const glm::vec2 place = (glm::vec2(texel) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f;
+        visit(place, brightness(picture, corner.x + texel.x, corner.y + texel.y));
+      }
+  }
+};
+
+struct Count {
+  int all = 0;
+  int lit = 0;
+
+  void add(bool is_lit) {
+    ++all;
+    lit += is_lit ? 1 : 0;
+  }
+  bool isMostlyLit() const { return 10 * lit > 6 * all; }
+  bool isBlack() const { return all > 0 && 50 * lit <= all; }
+};
+
+/// Whether a square is black outside of its inscribed disc, and lit near each of the four points where that touches the
+/// sides: a strip of a panorama on black is dark at two of them.
+bool holdsDisc(const Square& square) {
+  constexpr int kSmallest = 16;
+  if (square.side < kSmallest) return false;
+  std::vector<float> inside;
+  square.forEachSample([&](glm::vec2 place, float light) {
+    if (glm::dot(place, place) < 1.0f) inside.push_back(light);
+  });
+  const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
+  std::nth_element(inside.begin(), middle, inside.end());
+  // A camera's black is not quite black. Of a bright lamp a mean would say too much.
+  const float dark = 0.03f * *middle;
+  Count outside;
+  std::array<Count, 4> caps;
+  square.forEachSample([&](glm::vec2 place, float light) {
+    constexpr float kOutside = 1.1f, kCapBegin = 0.7f, kCapEnd = 0.9f, kCapWidth = 0.25f;
+    const bool is_lit = light > dark;
+    if (glm::dot(place, place) > kOutside * kOutside) outside.add(is_lit);
+    for (const int axis : {0, 1}) {
+      const float along = std::abs(place[axis]), across = std::abs(place[1 - axis]);
+      if (along > kCapBegin && along < kCapEnd && across < kCapWidth)
+        caps[static_cast<std::size_t>(2 * axis + (place[axis] > 0.0f ? 1 : 0))].add(is_lit);
+    }
+  });
+  return *middle > 0.0f && outside.isBlack() &&
+         std::all_of(caps.begin(), caps.end(), [](const Count& cap) { return cap.isMostlyLit(); });
+}
+
+/// How far two lists of light differ: 0, equal, to 1.
+float difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double apart = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    apart += std::abs(double(a[i]) - double(b[i]));
+    sum += double(a[i]) + double(b[i]);
+  }
+  return sum > 0.0 ? static_cast<float>(apart / sum) : 0.0f;
+}
+
+/// The light along an edge of a square: 0 and 1 the upper and the lower, 2 and 3 the left and the right one.
+std::vector<float> lightAlongEdge(const Image& picture, int edge, int count) {
+  std::vector<float> light;
+  const int last = picture.width() - 1;
+  for (int i = 0; i < count; ++i) {
+    const int at = static_cast<int>((i + 0.5) / count * picture.width());
+    const int across = edge % 2 == 0 ? 0 : last;
+    light.push_back(edge < 2 ? brightness(picture, at, across) : brightness(picture, across, at));
+  }
+  return light;
+}
+
+/// Square roots of the mean light in the cells of a part of a picture, by rows: a lamp counts less among them.
+std::vector<float> cellsIn(const Image& picture, glm::ivec2 corner, glm::ivec2 size, glm::ivec2 cells) {
+  constexpr int kSamples = 4;  // a cell, along each side
+  std::vector<float> means;
+  for (int y = 0; y < cells.y; ++y)
+    for (int x = 0; x < cells.x; ++x) {
+      double sum = 0.0;
+      for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+        const glm::dvec2 inside(sample % kSamples, sample / kSamples);
+        const glm::dvec2 share = (glm::dvec2(x, y) + (inside + 0.5) / double(kSamples)) / glm::dvec2(cells);
+        const glm::ivec2 texel = corner + glm::min(glm::ivec2(share * glm::dvec2(size)), size - 1);
+        sum += double(brightness(picture, texel.x, texel.y));
+      }
+      means.push_back(static_cast<float>(std::sqrt(sum / (kSamples * kSamples))));
+    }
+  return means;
+}
+
+/// Whether a cell of a layout holds one colour, as far as a compressed picture can.
+bool isOfOneColour(const Image& picture, glm::ivec2 cell, int side) {
+  constexpr int kMostSamples = 32;
+  const int count = std::min(side, kMostSamples);
+  glm::vec3 sum(0.0f);
+  std::vector<glm::vec3> colours;
+  for (int j = 0; j < count; ++j)
+    for (int i = 0; i < count; ++i) {
+      const glm::ivec2 texel = cell * side + glm::ivec2((glm::dvec2(i, j) + 0.5) / double(count) * double(side));
+      colours.push_back(rgbAt(picture, texel.x, texel.y));
+      sum += colours.back();
+    }
+  const glm::vec3 mean = sum / static_cast<float>(colours.size());
+  float apart = 0.0f;
+  for (const glm::vec3& colour : colours) apart += glm::length(colour - mean);
+  return !(apart / static_cast<float>(colours.size()) > 0.02f * glm::length(mean) + 0.002f);
+}
+
+/// Whether each of the cells in which a layout has no face holds more than one colour.
+bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
+  const glm::ivec2 cells = cellsOf(layout);
+  const int side = picture.width() / cells.x;
+  for (int y = 0; y < cells.y; ++y)
+    for (int x = 0; x < cells.x; ++x) {
+      bool is_face = false;
+      for (int face = 0; face < 6; ++face) is_face = is_face || cellOf(layout, face) == glm::ivec2(x, y);
+      if (!is_face && isOfOneColour(picture, {x, y}, side)) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+bool showsDisc(const Image& picture) { return holdsDisc({picture, {0, 0}, picture.width()}); }
+
+bool showsTwoDiscs(const Image& picture) {
+  const int side = picture.height();
+  return picture.width() == 2 * side && holdsDisc({picture, {0, 0}, side}) && holdsDisc({picture, {side, 0}, side});
+}
+
+bool foldsAtEdges(const Image& picture) {
+  constexpr int kSmallest = 16, kMostSamples = 512;
+  if (picture.width() < kSmallest || showsDisc(picture)) return false;
+  const int count = std::min(picture.width(), kMostSamples) / 2 * 2;
+  float all_folds = 0.0f, all_moves = 0.0f;
+  for (int edge = 0; edge < 4; ++edge) {
+    const std::vector<float> light = lightAlongEdge(picture, edge, count);
+    std::vector<float> moved = light;
+    std::rotate(moved.begin(), moved.begin() + count / 2, moved.end());
+    const float fold = difference(light, {light.rbegin(), light.rend()});
+    if (fold > 0.1f) return false;
+    all_folds += fold;
+    all_moves += difference(light, moved);
+  }
+  return all_moves > 4.0f * all_folds + 0.1f;
+}
+
+std::optional<PictureHalf> equalHalves(const Image& picture) {
+  constexpr glm::ivec2 kCells(48, 24);
+  const glm::ivec2 whole(picture.width(), picture.height());
+  const PictureHalf half = whole.x == whole.y ? PictureHalf::top : PictureHalf::left;
+  const glm::ivec2 size = sizeOfHalf(whole, half);
+  if (size.x != 2 * size.y || size.y < kCells.y) return std::nullopt;
+  const std::vector<float> first = cellsIn(picture, {0, 0}, size, kCells);
+  const std::vector<float> second = cellsIn(picture, whole - size, size, kCells);
+  // Sky and ground differ. Stripes, tiles and one colour are equal in many other ways too.
+  const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
+  const float within = difference({first.begin(), middle}, {middle, first.end()});
+  const float between = difference(first, second);
+  return between < 0.08f && between < 0.3f * within ? std::optional(half) : std::nullopt;
+}
+
+bool fillsEmptyCells(const Image& picture, CubeLayout cross) {
+  if (cross == CubeLayout::hcross)
+    return fillsCellsBeside(picture, CubeLayout::hcross) && fillsCellsBeside(picture, CubeLayout::lecture);
+  return cross == CubeLayout::vcross && fillsCellsBeside(picture, cross);
+}
+
+Result<FormDoubt> settleByContent(const Image& picture, Recognition& recognition) {
+  if (!recognition.is_by_shape) return FormDoubt{};
+  MapForm& form = recognition.form;
+  if (form.projection == Projection::equirect && showsTwoDiscs(picture))
+    return fail(ErrorCode::bad_shape,
+                "is 2:1 and shows two discs on black, as a camera with two fisheye lenses writes them before they are "
+                "stitched: stitch it to a panorama; {option:from} paraboloid reads a dual paraboloid map, "
+                "{option:from} equirect a panorama");
+  if (form.projection != Projection::sphere) return FormDoubt{};
+  if (showsDisc(picture))
+    return FormDoubt{"is square, with a disc on black: taken as a sphere map, a mirror ball seen from far away",
+                     {"angular", "ball"}};
+  if (foldsAtEdges(picture)) {
+    form.projection = Projection::equal_area;
+    recognition.told_by += ", and how its edges fold";
+    return FormDoubt{"is square, and its edges fold as an octahedron's: taken as pbrt's equal-area map",
+                     {"octahedral", "sphere"}};
+  }
+  return FormDoubt{
+      "is square, with light in its corners, where a disc has none: taken as a sphere map, cut to its disc",
+      {"angular", "ball", "equal-area", "octahedral"}};
+}
+
+}  // namespace mirrorball

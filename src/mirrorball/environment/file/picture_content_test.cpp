@@ -1,0 +1,153 @@
+#include "mirrorball/environment/file/picture_content.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/image/resize.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Sky above ground, with a sun and hills: what most panoramas show.
+glm::vec3 landscape(glm::vec3 d) {
+  const float hill = 0.1f * std::sin(5.0f * std::atan2(d.x, d.z));
+  const float sun = glm::dot(d, glm::normalize(glm::vec3(0.5f, 0.4f, -0.7f))) > 0.995f ? 50.0f : 0.0f;
+  const glm::vec3 ground = glm::vec3(0.2f, 0.12f, 0.05f) * (1.2f + std::sin(20.0f * d.x) * std::cos(17.0f * d.z));
+  return d.y > hill ? glm::vec3(0.3f, 0.5f, 0.9f) * (1.5f - d.y) + sun : ground;
+}
+
+/// A picture of that light, by default, in a projection.
+Image pictureOfLight(Projection projection, int size, const RadianceFunction& light = landscape) {
+  return pictureOf(*convert(Environment(light, 64), projection, size), {projection, CubeLayout::hcross});
+}
+
+/// A picture of one light above or beside another of the same size.
+Image joined(const Image& first, const Image& second, bool is_above) {
+  const glm::ivec2 size(first.width(), first.height());
+  const glm::ivec2 step = is_above ? glm::ivec2(0, size.y) : glm::ivec2(size.x, 0);
+  Image both(size.x + step.x, size.y + step.y, 3);
+  for (int y = 0; y < size.y; ++y) {
+    std::copy_n(first.texel(0, y), 3 * size.x, both.texel(0, y));
+    std::copy_n(second.texel(0, y), 3 * size.x, both.texel(step.x, y + step.y));
+  }
+  return both;
+}
+
+/// What the other of two eyes sees: everything a degree further to the right, the ground by three.
+glm::vec3 seenByOtherEye(glm::vec3 d) {
+  const float angle = glm::radians(d.y < 0.0f ? 3.0f : 1.0f);
+  return landscape({std::cos(angle) * d.x + std::sin(angle) * d.z, d.y, std::cos(angle) * d.z - std::sin(angle) * d.x});
+}
+
+/// Light in the rows of a panorama between two shares of its height, black in the others.
+Image stripOnBlack(float begin, float end) {
+  Image picture = pictureOfLight(Projection::equirect, 128);
+  for (int y = 0; y < 128; ++y)
+    if (const float share = (float(y) + 0.5f) / 128.0f; share < begin || share > end)
+      std::fill_n(picture.texel(0, y), 3 * 256, 0.0f);
+  return picture;
+}
+
+TEST(PictureContent, ADiscOnBlackIsSeen) {
+  for (const Projection projection : {Projection::sphere, Projection::angular, Projection::ball})
+    EXPECT_TRUE(showsDisc(pictureOfLight(projection, 128))) << textOf(projection);
+  Image noisy = pictureOfLight(Projection::sphere, 128);
+  for (float& sample : noisy.samples()) sample += 0.001f;
+  EXPECT_TRUE(showsDisc(noisy)) << "a camera's black";
+  for (const Projection projection : {Projection::octahedral, Projection::equal_area, Projection::hemioctahedral})
+    EXPECT_FALSE(showsDisc(pictureOfLight(projection, 128))) << textOf(projection);
+  EXPECT_FALSE(showsDisc(Image(64, 64, 3)));
+  EXPECT_FALSE(showsDisc(Image(64, 64, 3, 1.0f)));
+  EXPECT_FALSE(showsDisc(Image(1, 1, 3, 1.0f)));
+}
+
+TEST(PictureContent, TwoDiscsAreNoPanorama) {
+  EXPECT_TRUE(showsTwoDiscs(pictureOfLight(Projection::paraboloid, 128)));
+  EXPECT_FALSE(showsTwoDiscs(pictureOfLight(Projection::equirect, 128)));
+  for (const float margin : {0.1f, 0.2f, 0.25f, 0.3f, 0.4f})
+    EXPECT_FALSE(showsTwoDiscs(stripOnBlack(margin, 1.0f - margin))) << margin;
+  EXPECT_FALSE(showsTwoDiscs(stripOnBlack(0.5f, 1.0f)));
+  EXPECT_FALSE(showsTwoDiscs(Image(2, 1, 3, 1.0f)));
+}
+
+TEST(PictureContent, OnlyAnUnfoldedOctahedronFoldsAtItsEdges) {
+  for (const Projection projection : {Projection::octahedral, Projection::equal_area})
+    EXPECT_TRUE(foldsAtEdges(pictureOfLight(projection, 256))) << textOf(projection);
+  for (const Projection projection : {Projection::sphere, Projection::angular, Projection::hemioctahedral})
+    EXPECT_FALSE(foldsAtEdges(pictureOfLight(projection, 256))) << textOf(projection);
+  EXPECT_FALSE(foldsAtEdges(convert(Environment(landscape, 64), Projection::cube, 128)->face(4)));
+  EXPECT_FALSE(foldsAtEdges(Image(64, 64, 3, 1.0f))) << "one colour shows nothing";
+}
+
+TEST(PictureContent, TwoEyesAreNearlyEqual) {
+  const Image left = pictureOfLight(Projection::equirect, 256);
+  const Image right = pictureOfLight(Projection::equirect, 256, seenByOtherEye);
+  EXPECT_EQ(equalHalves(joined(left, right, true)), PictureHalf::top);
+  EXPECT_EQ(equalHalves(joined(left, right, false)), PictureHalf::left);
+  EXPECT_EQ(equalHalves(joined(left, pictureOfLight(Projection::equirect, 256, testing::waves), true)), std::nullopt);
+  for (const Projection projection : {Projection::sphere, Projection::angular, Projection::octahedral,
+                                      Projection::equal_area, Projection::hemioctahedral})
+    EXPECT_EQ(equalHalves(pictureOfLight(projection, 256)), std::nullopt) << textOf(projection);
+  Image stripes(256, 256, 3);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) std::fill_n(stripes.texel(x, y), 3, 0.5f + 0.4f * std::sin(0.1f * float(x)));
+  EXPECT_EQ(equalHalves(stripes), std::nullopt) << "as equal as any two parts of it";
+  EXPECT_EQ(equalHalves(Image(256, 256, 3, 1.0f)), std::nullopt);
+  EXPECT_EQ(equalHalves(Image(4, 1, 3, 1.0f)), std::nullopt);
+}
+
+TEST(PictureContent, APhotographFillsTheCellsThatACrossLeavesEmpty) {
+  const EnvironmentMap cube = *convert(Environment(landscape, 64), Projection::cube, 64);
+  for (const CubeLayout layout : {CubeLayout::hcross, CubeLayout::vcross, CubeLayout::lecture}) {
+    Image cross = pictureOf(cube, {Projection::cube, layout});
+    const CubeLayout shape = layout == CubeLayout::lecture ? CubeLayout::hcross : layout;
+    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << nameOf(layout);
+    for (float& sample : cross.samples()) sample = sample == 0.0f ? 1.0f : sample;
+    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << nameOf(layout) << " on white";
+  }
+  EXPECT_TRUE(
+      fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 192), {256, 192}), CubeLayout::hcross));
+  EXPECT_TRUE(
+      fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 192), {144, 192}), CubeLayout::vcross));
+  EXPECT_FALSE(fillsEmptyCells(Image(192, 128, 3, 1.0f), CubeLayout::tiles)) << "it leaves none empty";
+}
+
+TEST(PictureContent, WhatAShapeLeavesOpenIsSettledOrRemarked) {
+  const auto settled = [](const Image& picture, Recognition& recognition) {
+    recognition = *recognize(picture.width(), picture.height(), {});
+    const auto doubt = settleByContent(picture, recognition);
+    EXPECT_TRUE(doubt) << doubt.error().message;
+    return doubt.value_or(FormDoubt{});
+  };
+  Recognition recognition;
+  EXPECT_THAT(settled(pictureOfLight(Projection::sphere, 128), recognition).other_forms,
+              ElementsAre("angular", "ball"));
+  EXPECT_EQ(recognition.form.projection, Projection::sphere);
+  EXPECT_THAT(settled(pictureOfLight(Projection::equal_area, 256), recognition).other_forms,
+              ElementsAre("octahedral", "sphere"));
+  EXPECT_EQ(recognition.form.projection, Projection::equal_area);
+  EXPECT_EQ(recognition.told_by, "its shape, 1:1, and how its edges fold");
+  const FormDoubt face = settled(convert(Environment(landscape, 64), Projection::cube, 128)->face(4), recognition);
+  EXPECT_THAT(face.message, HasSubstr("with light in its corners"));
+  EXPECT_THAT(face.other_forms, ElementsAre("angular", "ball", "equal-area", "octahedral"));
+  EXPECT_EQ(recognition.form.projection, Projection::sphere);
+  EXPECT_EQ(settled(pictureOfLight(Projection::equirect, 128), recognition).message, "");
+  recognition = *recognize(256, 128, {});
+  const auto refused = settleByContent(pictureOfLight(Projection::paraboloid, 128), recognition);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_shape);
+  EXPECT_THAT(refused.error().message, HasSubstr("shows two discs on black"));
+  recognition = *recognize(256, 128, {}, *formHintNamed("equirect"));
+  EXPECT_TRUE(settleByContent(pictureOfLight(Projection::paraboloid, 128), recognition)) << "who names it knows better";
+}
+
+}  // namespace
+}  // namespace mirrorball

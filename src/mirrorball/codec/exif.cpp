@@ -151,7 +151,7 @@ Exif readExif(Span bytes) {
 }
 
 Exif readJpegExif(Span jpeg) {
-  if (!isJpeg(jpeg)) return {};
+  if (!beginOfJpeg(jpeg)) return {};
   for (const JpegSegment& segment : jpegHeader(jpeg).segments)
     if (const Span exif = segment.behind(kApp1, kExifName); !exif.empty()) return readExif(exif);
   return {};

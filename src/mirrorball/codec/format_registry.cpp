@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/base/left_out.h"
+#include "mirrorball/codec/foreign_file.h"
 #include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/hdr/hdr_rows.h"
@@ -84,7 +85,10 @@ std::optional<ImageFormatId> formatBegunBy(Span bytes) {
   // TGA has no first bytes of its own, and is asked for last.
   for (const ImageFormat& format : kImageFormats)
     if (format.id != ImageFormatId::tga && kBegins[static_cast<std::size_t>(format.id)](bytes)) return format.id;
-  return isTga(bytes) ? std::optional(ImageFormatId::tga) : std::nullopt;
+  if (isTga(bytes)) return ImageFormatId::tga;
+  // Nor is a JPEG meant in an archive that begins with one.
+  const bool is_late_jpeg = beginOfJpeg(bytes) && !foreignFileError(FileUse::picture, bytes);
+  return is_late_jpeg ? std::optional(ImageFormatId::jpeg) : std::nullopt;
 }
 
 Result<Bytes> encodePicture(ImageFormatId id, const Image8& picture, const Metadata& metadata) {

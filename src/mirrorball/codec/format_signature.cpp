@@ -27,6 +27,14 @@ bool isExr(Span bytes) {
 
 bool isJpeg(Span bytes) { return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff; }
 
+std::optional<std::size_t> beginOfJpeg(Span bytes) {
+  constexpr std::size_t kMostBefore = 64;
+  constexpr std::uint8_t kFirstMarker = 0xc0;  // of those that have a segment
+  for (std::size_t at = 0; at <= kMostBefore && at + 3 < bytes.size(); ++at)
+    if (isJpeg(bytes.subspan(at)) && bytes[at + 3] >= kFirstMarker && bytes[at + 3] != 0xff) return at;
+  return isJpeg(bytes) ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
 bool isPng(Span bytes) {
   constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace mirrorball {
@@ -13,6 +15,10 @@ bool isExr(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as a JPEG does.
 bool isJpeg(std::span<const std::uint8_t> bytes);
+
+/// Where a JPEG begins that up to 64 other bytes stand before, such as lines of a server's answer; 0 where it is the
+/// first. Nothing where none begins there.
+std::optional<std::size_t> beginOfJpeg(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as a PNG does.
 bool isPng(std::span<const std::uint8_t> bytes);

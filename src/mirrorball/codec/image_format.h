@@ -54,7 +54,7 @@ inline constexpr std::array<ImageFormat, 15> kImageFormats{{
     {ImageFormatId::png, "PNG", "png", Holds::picture, true,
      "every kind and depth; `cICP`, `sRGB`, `iCCP`, `gAMA`, `cHRM`", "MIRRORBALL_PNG", StatedPrimaries::of_displays},
     {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true,
-     "grey and RGB, baseline and progressive; gain maps (Ultra HDR, ISO 21496-1)", "MIRRORBALL_JPEG"},
+     "grey, RGB and CMYK, baseline and progressive; gain maps (Ultra HDR, ISO 21496-1)", "MIRRORBALL_JPEG"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
      "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H, UASTC HDR 4x4; Zstandard", "",
      StatedPrimaries::all},
@@ -75,7 +75,7 @@ inline constexpr std::array<ImageFormat, 15> kImageFormats{{
      "grey, palette, 15, 16, 24 and 32 bits; run-length coded or not"},
     {ImageFormatId::bmp, "BMP", "bmp", Holds::picture, false, "palettes, RLE4, RLE8, 16, 24 and 32 bits, masks, alpha"},
     {ImageFormatId::pnm, "PNM", "pnm ppm pgm pbm pam", Holds::picture, false, "P1 to P7, text or bytes, up to 16 bits"},
-    {ImageFormatId::pfm, "PFM", "pfm", Holds::light, false, "grey and RGB, either byte order"},
+    {ImageFormatId::pfm, "PFM", "pfm", Holds::light, false, "grey, RGB and RGBA, either byte order"},
 }};
 
 constexpr const ImageFormat& formatOf(ImageFormatId id) { return kImageFormats[static_cast<std::size_t>(id)]; }

@@ -95,6 +95,8 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const ImageR
   MIRRORBALL_TRY_VOID(checkLineBytes(header, bytes.size() - header.size));
   MIRRORBALL_TRY_VOID(checkImageMemory(header.width, header.height, 3));
   MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0));
+  MIRRORBALL_TRY(remark, missingLinesRemark(header, index.starts.size(), index.new_rle_count, bytes.size()));
+  if (!remark.empty()) header.oddities.push_back(std::move(remark));
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
   const bool is_converted = options.as == ReadAs::light && convertToRec709(image, header);

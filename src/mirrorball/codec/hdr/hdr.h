@@ -22,7 +22,9 @@ bool isHdr(std::span<const std::uint8_t> bytes);
 /// XYZE is taken as CIE XYZ with Y as it stands, seen under Rec.709's white: no white balance and
 /// no division by Radiance's 179 lm/W.
 ///
-/// errors   bad_file (the line or byte is named); too_large; unsupported
+/// Rows that the file ends before are black, with a remark.
+///
+/// errors   bad_file (the line or byte is named; also: no row is whole); too_large; unsupported
 /// cost     O(width · height), on all cores
 /// from     G. Ward, "Real Pixels", Graphics Gems II; Radiance's "File formats"
 Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});

@@ -9,6 +9,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -23,6 +24,8 @@ constexpr std::size_t kMaxTexelsPerByte = 4096;
 class LineWalker {
  public:
   LineWalker(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+
+  static constexpr const char* kTruncated = "ends in the middle of a scan line; it is truncated";
 
   std::size_t position() const { return at_; }
   LineForm form() const { return form_; }
@@ -40,7 +43,6 @@ class LineWalker {
   }
 
  private:
-  static constexpr const char* kTruncated = "ends in the middle of a scan line; it is truncated";
   static constexpr const char* kOverrun = "has a run that is longer than its scan line";
 
   std::size_t left() const { return bytes_.size() - at_; }
@@ -140,6 +142,10 @@ LinePlace placeOf(std::size_t line, const HdrHeader& header, Image& image) {
   return {image.texel(x, y), header.x_descends ? -3 : 3};
 }
 
+void blackenLine(std::size_t length, LinePlace place) {
+  for (std::size_t i = 0; i < length; ++i) std::fill_n(place.first + std::ptrdiff_t(i) * place.step, 3, 0.0f);
+}
+
 /// From planes of bytes to texels.
 void storeLine(const std::uint8_t* planes, std::size_t length, glm::vec3 gain, LinePlace place) {
   const std::array<float, 256>& units = unitTable();
@@ -170,9 +176,6 @@ std::string describeColor(const HdrHeader& header) {
   return header.xyz ? "CIE XYZ: converted" : describeColor(kLinearLight, header.primaries, 3);
 }
 
-// Old RLE may put up to four repetitions, of no texels perhaps, behind each texel; new RLE a code behind each byte.
-std::size_t longestLine(std::size_t line_length) { return 20 * line_length + 4; }
-
 Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left) {
   const std::size_t texels = header.lineCount() * header.lineLength();
   // A scan line has at least one whole texel.
@@ -188,14 +191,30 @@ Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, std::size_t at
   index.starts.reserve(count);
   LineWalker walker(bytes, at);
   for (std::size_t line = first; line < first + count; ++line) {
-    index.starts.push_back(walker.position());
-    if (const char* wrong = walker.walk<false>(header.lineLength(), nullptr))
+    const std::size_t start = walker.position();
+    index.end = start;
+    const char* wrong = walker.walk<false>(header.lineLength(), nullptr);
+    if (wrong == LineWalker::kTruncated) return index;
+    if (wrong != nullptr)
       return fail(ErrorCode::bad_file, std::string(wrong) + " (scan line " + std::to_string(line) + ", byte " +
                                            std::to_string(origin + walker.position()) + ")");
+    index.starts.push_back(start);
     index.form = std::max(index.form, walker.form());
+    index.new_rle_count += walker.form() == LineForm::new_rle ? 1 : 0;
   }
   index.end = walker.position();
   return index;
+}
+
+Result<std::string> missingLinesRemark(const HdrHeader& header, std::size_t there, std::size_t new_rle_count,
+                                       std::uint64_t size) {
+  if (there == header.lineCount()) return std::string();
+  if (there == 0) return endsInFirstRow(size);
+  // Behind a damaged scan line the bytes of later ones pass for flat texels, up to where they end.
+  if (new_rle_count > 0 && new_rle_count < there)
+    return fail(ErrorCode::bad_file, std::string(LineWalker::kTruncated) + " or damaged before (scan line " +
+                                         std::to_string(there) + " of " + std::to_string(header.lineCount()) + ")");
+  return earlyEndText(header.lineCount() - there, header.columns ? "column" : "row");
 }
 
 void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, const HdrHeader& header, Image& image) {
@@ -209,6 +228,8 @@ void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, co
       storeLine(planes.data(), length, gain, placeOf(line, header, image));
     }
   });
+  const auto lines = static_cast<std::size_t>(header.columns ? image.width() : image.height());
+  for (std::size_t line = index.starts.size(); line < lines; ++line) blackenLine(length, placeOf(line, header, image));
 }
 
 bool convertToRec709(Image& components, const HdrHeader& header) {

@@ -34,9 +34,10 @@ std::string describeColor(const HdrHeader& header);
 
 /// Where each of some scan lines begins, and what form the lines have.
 struct LineIndex {
-  std::vector<std::size_t> starts;
-  std::size_t end = 0;  ///< behind the last of them
+  std::vector<std::size_t> starts;  ///< of those that are whole, which are fewer where the bytes end early
+  std::size_t end = 0;              ///< behind the last of them
   LineForm form = LineForm::flat;
+  std::size_t new_rle_count = 0;  ///< of the lines
 };
 
 /// Refuses a size that so many bytes cannot hold.
@@ -51,14 +52,21 @@ Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left);
 /// at         where the first of the lines begins
 /// first      its number, and
 /// origin     the place of `bytes` in the file: for messages
-/// errors     bad_file (the line and byte are named)
+/// errors     bad_file (the line and byte are named), but not where the bytes end
 Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, std::size_t at, const HdrHeader& header,
                              std::size_t first, std::size_t count, std::uint64_t origin);
 
-/// The most bytes that a scan line may have.
-std::size_t longestLine(std::size_t line_length);
+/// The remark on a file that ends before its last scan line; empty where it does not.
+///
+/// there          how many lines are whole
+/// new_rle_count  how many of these are new RLE
+/// size           of the file, in bytes
+/// errors         bad_file: no line is whole; or some are new RLE and others not, which those behind a damaged one seem
+///                to be
+Result<std::string> missingLinesRemark(const HdrHeader& header, std::size_t there, std::size_t new_rle_count,
+                                       std::uint64_t size);
 
-/// Decodes lines to the components that they hold, on all cores.
+/// Decodes lines to the components that they hold, on all cores; those that the index lacks become black.
 ///
 /// image    where they belong: as wide as the header says and as high as there are lines, or the other way round where
 ///          scan lines are columns

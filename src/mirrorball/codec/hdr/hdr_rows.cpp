@@ -1,6 +1,7 @@
 #include "mirrorball/codec/hdr/hdr_rows.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "mirrorball/codec/hdr/hdr_lines.h"
 
@@ -10,9 +11,43 @@ namespace {
 /// Room for any real header.
 constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 16;
 
+/// Where the scan lines of a file begin, and how many of them are new RLE.
+struct FileLines {
+  std::vector<std::uint64_t> offsets;  ///< of those that are whole, and behind the last of them
+  std::size_t new_rle_count = 0;
+
+  std::size_t count() const { return offsets.size() - 1; }
+};
+
+/// Walks through the file once, so that what is missing of it is known before any line is decoded.
+///
+/// errors   io; bad_file
+Result<FileLines> findLines(const FileReader& file, const HdrHeader& header) {
+  constexpr std::uint64_t kUsualBlock = std::uint64_t{1} << 22;
+  FileLines lines{{header.size}};
+  Bytes bytes;
+  for (std::uint64_t block = kUsualBlock; lines.count() < header.lineCount();) {
+    const std::uint64_t at = lines.offsets.back();
+    const std::uint64_t left = file.size() - at;
+    bytes.resize(static_cast<std::size_t>(std::min(left, block)));
+    MIRRORBALL_TRY_VOID(file.readAt(at, bytes));
+    MIRRORBALL_TRY(index, indexLines(bytes, 0, header, lines.count(), header.lineCount() - lines.count(), at));
+    if (index.starts.empty()) {
+      if (block >= left) break;
+      block *= 2;  // the line is longer
+      continue;
+    }
+    for (std::size_t i = 1; i < index.starts.size(); ++i) lines.offsets.push_back(at + index.starts[i]);
+    lines.offsets.push_back(at + index.end);
+    lines.new_rle_count += index.new_rle_count;
+    block = kUsualBlock;
+  }
+  return lines;
+}
+
 class HdrRows : public RowReader {
  public:
-  HdrRows(FileReader file, HdrHeader header)
+  HdrRows(FileReader file, HdrHeader header, std::vector<std::uint64_t> offsets)
       : RowReader({.name = file.name(),
                    .width = header.width,
                    .height = header.height,
@@ -20,36 +55,29 @@ class HdrRows : public RowReader {
                    .oddities = header.oddities}),
         file_(std::move(file)),
         header_(std::move(header)),
-        next_byte_(header_.size) {}
+        offsets_(std::move(offsets)) {}
 
  private:
   Result<Image> readRows(int count) override;
 
   FileReader file_;
   HdrHeader header_;
-  std::uint64_t next_byte_;  // of the file, where line `next_` begins
+  std::vector<std::uint64_t> offsets_;
   std::size_t next_ = 0;
 };
 
 Result<Image> HdrRows::readRows(int count) {
-  const auto lines = static_cast<std::size_t>(count);
-  const std::uint64_t left = file_.size() - next_byte_;
-  // Lines are rarely longer than flat ones: only where they are, more bytes are read and looked through once more.
-  const auto at_most = [&](std::uint64_t size) { return static_cast<std::size_t>(std::min(left, size)); };
-  Bytes bytes(at_most((4 * header_.lineLength() + 4 * header_.lineLength() / 128 + 64) * lines));
-  MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
-  auto index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
-  if (!index && bytes.size() < left) {
-    bytes.resize(at_most(longestLine(header_.lineLength()) * lines));
-    MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
-    index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
-  }
-  if (!index) return tl::unexpected<Error>(index.error());
+  const std::size_t there = offsets_.size() - 1;
+  const std::size_t begin = std::min(next_, there);
+  const std::size_t end = std::min(next_ + static_cast<std::size_t>(count), there);
+  Bytes bytes(static_cast<std::size_t>(offsets_[end] - offsets_[begin]));
+  MIRRORBALL_TRY_VOID(file_.readAt(offsets_[begin], bytes));
+  // Of a file that has changed since, fewer lines may be whole.
+  MIRRORBALL_TRY(index, indexLines(bytes, 0, header_, begin, end - begin, offsets_[begin]));
   Image rows = Image::withoutValues(header_.width, count, 3);
-  decodeLines(bytes, *index, header_, rows);
+  decodeLines(bytes, index, header_, rows);
   convertToRec709(rows, header_);
-  next_byte_ += index->end;
-  next_ += lines;
+  next_ += static_cast<std::size_t>(count);
   return rows;
 }
 
@@ -61,7 +89,10 @@ Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file) {
   MIRRORBALL_TRY(header, parseHdrHeader(begin));
   if (header.columns || header.x_descends || header.y_ascends) return nullptr;
   MIRRORBALL_TRY_VOID(checkLineBytes(header, file.size() - header.size));
-  return std::make_unique<HdrRows>(std::move(file), std::move(header));
+  MIRRORBALL_TRY(lines, findLines(file, header));
+  MIRRORBALL_TRY(remark, missingLinesRemark(header, lines.count(), lines.new_rle_count, file.size()));
+  if (!remark.empty()) header.oddities.push_back(std::move(remark));
+  return std::make_unique<HdrRows>(std::move(file), std::move(header), std::move(lines.offsets));
 }
 
 }  // namespace mirrorball

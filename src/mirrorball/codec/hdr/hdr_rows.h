@@ -9,6 +9,8 @@
 namespace mirrorball {
 
 /// openRows for a file that begins as a Radiance picture does.
+///
+/// cost     reads the whole file, to find its scan lines
 Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file);
 
 }  // namespace mirrorball

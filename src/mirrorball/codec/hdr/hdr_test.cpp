@@ -311,8 +311,14 @@ TEST(Hdr, WrongScanLinesAreNamed) {
               HasSubstr("longer than its scan line"));
   EXPECT_THAT(decodingError(file("", "-Y 1 +X 2", {1, 1, 1, 1, 5, 5, 5, 136})).message,
               HasSubstr("begins with a repetition"));
-  const std::string message = decodingError(file("", "-Y 2 +X 2", {5, 5, 5, 136, 5, 5, 5, 136, 5, 5, 5, 136})).message;
-  EXPECT_THAT(message, HasSubstr("truncated (scan line 1, byte "));
+  EXPECT_THAT(decodingError(file("", "-Y 2 +X 2", {5, 5, 5, 136})).message, HasSubstr("end of its first row"));
+}
+
+// Behind it the bytes pass for flat texels.
+TEST(Hdr, ADamagedScanLineIsNotAnEarlyEnd) {
+  Bytes damaged = file("", "-Y 4 +X 8", {2, 2, 0, 8, 136, 1, 136, 2, 136, 3, 136, 130});
+  damaged.resize(damaged.size() + 40, 5);
+  EXPECT_THAT(decodingError(damaged).message, HasSubstr("truncated or damaged before (scan line 2 of 4)"));
 }
 
 TEST(Hdr, RealFile) {

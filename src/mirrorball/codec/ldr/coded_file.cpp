@@ -111,6 +111,12 @@ PictureCodes asCodes(CodedFile file) {
   return {textureOf(std::move(file.codes)), std::move(file.color), file.exif, std::move(file.oddities)};
 }
 
+PictureFractions asFractions(CodedFile file) {
+  turnUpright(file);
+  tellColor(file);
+  return {sharesOf(file.codes), std::move(file.color), file.exif, std::move(file.oddities)};
+}
+
 Image withAlpha(Image image) {
   if (image.channels() == 4) return image;
   Image rgba = Image::withoutValues(image.width(), image.height(), 4);

@@ -54,6 +54,9 @@ Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as = ReadAs::light);
 /// Codes of 8 bits as a camera made them, upright, and what they stand for.
 PictureCodes asCodes(CodedFile file);
 
+/// The same with all bits, as fractions of the greatest code.
+PictureFractions asFractions(CodedFile file);
+
 /// With alpha, which is 1 where there was none.
 Image withAlpha(Image image);
 

@@ -72,7 +72,7 @@ Result<Image8> gainMapCodes(const GainMapPart& part, int orientation) {
   };
   auto picture = readJpegPicture(part.jpeg, CodeForm::stored);
   if (!picture) return inGainMap(std::move(picture).error());
-  if (picture->missing_rows > 0) return inGainMap({ErrorCode::bad_file, picture->file.oddities.front()});
+  if (picture->missing_rows > 0) return inGainMap({ErrorCode::bad_file, picture->file.oddities.back()});
   return upright(std::get<Image8>(std::move(picture->file.codes)), orientation);
 }
 

@@ -10,18 +10,18 @@
 
 namespace mirrorball {
 
-/// Decodes a grey or RGB JPEG, baseline or progressive, to linear light. Where it has a gain map (ultra_hdr.h), to the
-/// HDR light of both; where that is gone or damaged, the picture is read alone. What lies behind the end marker means
-/// nothing else: phones keep there what they like.
+/// Decodes a grey, RGB or CMYK JPEG, baseline or progressive, to linear light. Where it has a gain map (ultra_hdr.h), to
+/// the HDR light of both; where that is gone or damaged, the picture is read alone. What lies behind the end marker
+/// means nothing else: phones keep there what they like.
 ///
 /// errors   as decodeJpegCodes'
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes);
 
 /// Decodes one to its codes, as far as it goes: rows of blocks that are missing or damaged are black, never the grey
 /// that libjpeg leaves, and a remark says how many (jpeg_damage.h). Its EXIF says how it lies, its ICC profile what the
-/// codes are.
+/// codes are. Inks (CMYK, YCCK) are mixed to RGB without their profile, with a remark.
 ///
-/// errors   bad_file (also: no row of blocks is whole); too_large; unsupported (CMYK, 12 bit)
+/// errors   bad_file (also: no row of blocks is whole); too_large; unsupported (12 bits, lossless)
 Result<CodedFile> decodeJpegCodes(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 
 /// Encodes 1 (grey), 3 or 4 channels at quality 95 without chroma subsampling; alpha is dropped,

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/ldr/jpeg_damage.h"
 #include "mirrorball/codec/ldr/jpeg_library.h"
 #include "mirrorball/codec/ldr/jpeg_segments.h"
@@ -64,10 +66,17 @@ tl::unexpected<Error> damagedAt(const Decompressor& decoder, std::size_t size, c
 
 tl::unexpected<Error> jpegFailure(const Decompressor& decoder, std::size_t size) {
   const std::string text = decoder.errors.message;
+  const int number = decoder.errors.base.msg_parm.i[0];
   switch (decoder.errors.code) {
     case JERR_BAD_PRECISION:
-    case JERR_SOF_UNSUPPORTED:
-      return fail(ErrorCode::unsupported, text + "; save it as baseline or progressive JPEG of 8 bits");
+      return fail(ErrorCode::unsupported, "is a JPEG of " + std::to_string(number) +
+                                              " bits a sample, and those of 8 are read; save it as one, or as a PNG "
+                                              "or TIFF of 16 bits");
+    case JERR_SOF_UNSUPPORTED: {
+      const bool is_lossless = (number & 3) == 3;  // SOF3, SOF7, SOF11 and SOF15
+      return fail(ErrorCode::unsupported, "is a " + std::string(is_lossless ? "lossless" : "hierarchical") +
+                                              " JPEG; save it as baseline or progressive JPEG, or as PNG");
+    }
     case JERR_OUT_OF_MEMORY:
       return fail(ErrorCode::too_large, "not enough memory to decode it");
     default:
@@ -99,9 +108,31 @@ Result<void> readJpegHeader(Decompressor& decoder, std::span<const std::uint8_t>
   MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
   if (texels / kMaxTexelsPerByte > bytes.size()) return cannotHold(codec.image_width, codec.image_height, bytes.size());
-  if (codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK)
-    return fail(ErrorCode::unsupported, "is a CMYK JPEG; save it as RGB");
   return {};
+}
+
+bool isInInks(const jpeg_decompress_struct& codec) {
+  return codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK;
+}
+
+/// Cyan, magenta, yellow and black, which Adobe's programs store as what they let through, as the colours that are left
+/// of white.
+///
+/// ink                 of as many texels as the row has
+/// is_stored_as_light  whether a code of 255 is no ink
+void mixInks(const JSAMPLE* ink, bool is_stored_as_light, std::span<std::uint8_t> row, std::size_t channels) {
+  const unsigned turned = is_stored_as_light ? 0 : 255;
+  for (std::size_t at = 0; at + channels <= row.size(); at += channels, ink += 4) {
+    for (std::size_t c = 0; c < 3; ++c)
+      row[at + c] = static_cast<std::uint8_t>(((ink[c] ^ turned) * (ink[3] ^ turned) + 127) / 255);
+    if (channels == 4) row[at + 3] = 255;
+  }
+}
+
+std::string inkRemark(const jpeg_decompress_struct& codec, const IccProfile& profile) {
+  std::string remark = "is in inks (CMYK): mixed to RGB by their product, without ";
+  remark += profile.description.empty() ? "a profile of them" : "their profile (" + profile.description + ")";
+  return codec.saw_Adobe_marker ? remark : remark + "; 0 is taken as no ink, for lack of Adobe's marker";
 }
 
 /// The ICC profile in the file's markers, if there is one.
@@ -121,11 +152,15 @@ IccProfile jpegProfile(Decompressor& decoder) {
 ///          whole; too_large
 Result<void> readRows(Decompressor& decoder, Image8& picture, std::size_t size) {
   jpeg_decompress_struct& codec = decoder.codec;
+  Bytes inks(isInInks(codec) ? std::size_t{4} * codec.image_width : 0);  // of a row
+  const auto channels = static_cast<std::size_t>(picture.channels());
   const bool ended_well = guardedFromJpeg(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
     while (codec.output_scanline < decoder.damage.end()) {
-      JSAMPROW row = picture.row(static_cast<int>(codec.output_scanline)).data();
+      const auto shown = picture.row(static_cast<int>(codec.output_scanline));
+      JSAMPROW row = inks.empty() ? shown.data() : inks.data();
       jpeg_read_scanlines(&codec, &row, 1);
+      if (!inks.empty()) mixInks(inks.data(), codec.saw_Adobe_marker != FALSE, shown, channels);
     }
     decoder.damage.checkScans(codec);
     if (codec.output_scanline == codec.output_height) jpeg_finish_decompress(&codec);
@@ -143,15 +178,18 @@ Result<JpegPicture> readUpTo(std::span<const std::uint8_t> bytes, CodeForm form,
   MIRRORBALL_TRY_VOID(readJpegHeader(decoder, bytes));
   jpeg_decompress_struct& codec = decoder.codec;
   const Exif exif = readJpegExif(bytes);
+  const IccProfile profile = jpegProfile(decoder);
+  const bool is_in_inks = isInInks(codec);
   CodedFile file{.codes = {},
-                 .color = codedColor(jpegProfile(decoder)),
+                 .color = is_in_inks ? CodedColor{} : codedColor(profile),
                  .orientation = exif.orientation,
                  .exif = exif,
                  .metadata = readComments(codec),  // which finishing the decoding forgets, as it does the profile
-                 .format = "JPEG, 8 bit"};
+                 .format = is_in_inks ? "JPEG, 8 bit, CMYK" : "JPEG, 8 bit"};
+  if (is_in_inks) file.oddities.push_back(inkRemark(codec, profile));
   const bool grey = codec.num_components == 1;
   const int channels = form == CodeForm::rgba ? 4 : grey ? 1 : 3;
-  codec.out_color_space = channels == 4 ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
+  codec.out_color_space = is_in_inks ? JCS_CMYK : channels == 4 ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
   const auto width = static_cast<int>(codec.image_width), height = static_cast<int>(codec.image_height);
 
   // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
@@ -174,10 +212,18 @@ Result<JpegPicture> readUpTo(std::span<const std::uint8_t> bytes, CodeForm form,
 }  // namespace
 
 Result<JpegPicture> readJpegPicture(std::span<const std::uint8_t> bytes, CodeForm form) {
+  const std::size_t begin = beginOfJpeg(bytes).value_or(0);
+  std::span<const std::uint8_t> jpeg = bytes.subspan(begin);
+  MIRRORBALL_TRY(with_height, withHeightInHeader(jpeg));
+  if (with_height) jpeg = *with_height;
   std::optional<std::size_t> end;
-  auto picture = readUpTo(bytes, form, end);
-  if (picture || !end || picture.error().code != ErrorCode::bad_file) return picture;
-  return readUpTo(bytes.first(*end), form, end);
+  auto picture = readUpTo(jpeg, form, end);
+  if (!picture && end && picture.error().code == ErrorCode::bad_file) picture = readUpTo(jpeg.first(*end), form, end);
+  if (picture && begin > 0)
+    picture->file.oddities.push_back(counted(begin, "byte") +
+                                     " before its beginning belong to nothing, and are passed "
+                                     "over");
+  return picture;
 }
 
 }  // namespace mirrorball

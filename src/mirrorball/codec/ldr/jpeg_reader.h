@@ -14,7 +14,7 @@ struct JpegPicture {
   std::size_t missing_rows = 0;  ///< that are black, since the file lacks them
 };
 
-/// Decodes a grey or RGB JPEG as far as it goes.
+/// Decodes a JPEG as far as it goes.
 ///
 /// errors   as decodeJpegCodes'
 Result<JpegPicture> readJpegPicture(std::span<const std::uint8_t> bytes, CodeForm form);

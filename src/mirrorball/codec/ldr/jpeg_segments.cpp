@@ -11,12 +11,18 @@ using JpegBytes = std::span<const std::uint8_t>;
 
 constexpr std::uint8_t kEndOfImage = 0xd9;
 constexpr std::uint8_t kStartOfScan = 0xda;
+constexpr std::uint8_t kNumberOfLines = 0xdc;
 constexpr std::uint8_t kJfif = 0xe0;
 constexpr std::size_t kStart = 2;  // the marker that a JPEG begins with
 
 /// Markers without a length: a stuffed 0, TEM, and those that restart a decoder.
 constexpr bool standsAlone(std::uint8_t marker) {
   return marker == 0x00 || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+}
+
+/// SOF0 to SOF15, between which stand DHT, JPG and DAC.
+constexpr bool beginsFrame(std::uint8_t marker) {
+  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
 /// Where the next marker's second byte stands, from `at` on; the number of bytes where there is none.
@@ -79,6 +85,31 @@ std::optional<std::size_t> segmentBetweenScans(JpegBytes jpeg, std::size_t befor
     if (standsAlone(jpeg[at])) continue;
     last = at - 1;
     end += 2 + dataAt(jpeg, at).size();
+  }
+}
+
+Result<std::optional<Bytes>> withHeightInHeader(JpegBytes jpeg) {
+  constexpr std::size_t kFrameSize = 6;  // of its fields before those of the components
+  constexpr std::size_t kHeight = 1;     // behind the bits of a sample
+  const JpegHeader header = jpegHeader(jpeg);
+  const auto frame = std::find_if(header.segments.begin(), header.segments.end(), [](const JpegSegment& segment) {
+    return beginsFrame(segment.marker) && segment.data.size() >= kFrameSize;
+  });
+  if (frame == header.segments.end() || bigU16(frame->data.data() + kHeight) != 0) return std::nullopt;
+  for (std::size_t end = header.end;;) {
+    const std::size_t at = nextMarker(jpeg, end);
+    if (at >= jpeg.size())
+      return fail(ErrorCode::bad_file,
+                  "leaves its height to a DNL segment, which is not there; the file is truncated or damaged");
+    end = at + 1;
+    if (standsAlone(jpeg[at])) continue;
+    const JpegBytes data = dataAt(jpeg, at);
+    if (jpeg[at] == kNumberOfLines && data.size() == 2) {
+      Bytes stated(jpeg.begin(), jpeg.end());
+      std::copy(data.begin(), data.end(), stated.begin() + (frame->data.data() - jpeg.data()) + kHeight);
+      return stated;
+    }
+    end += 2 + data.size();
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/result.h"
 
 namespace mirrorball {
 
@@ -48,6 +49,13 @@ std::size_t endOfJpeg(std::span<const std::uint8_t> jpeg);
 ///
 /// returns  nothing where there is none
 std::optional<std::size_t> segmentBetweenScans(std::span<const std::uint8_t> jpeg, std::size_t before);
+
+/// A JPEG whose frame header leaves its height open, with the height that a DNL segment states behind its first scan;
+/// nothing where the header states one.
+///
+/// errors   bad_file: there is no such segment
+/// from     ITU-T T.81, B.2.2 and B.2.5
+Result<std::optional<Bytes>> withHeightInHeader(std::span<const std::uint8_t> jpeg);
 
 /// A segment as it stands in a file.
 ///

@@ -14,6 +14,7 @@
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/exif_testing.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/jpeg_segments.h"
 #include "mirrorball/codec/ldr/jpeg_testing.h"
 #include "mirrorball/codec/written_format_testing.h"
 #include "mirrorball/image/upright.h"
@@ -163,14 +164,109 @@ TEST(Jpeg, AFileOfEndlessScansIsRefused) {
 }
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
-  const auto cmyk = decodeJpeg(foreignFile({.channels = 4}));
-  ASSERT_FALSE(cmyk);
-  EXPECT_EQ(cmyk.error().code, ErrorCode::unsupported);
-  EXPECT_THAT(cmyk.error().message, HasSubstr("CMYK"));
-
   Bytes twelve_bits = encoded(photograph(16, 16, 3));
   twelve_bits[frameHeader(twelve_bits) + 4] = 12;
   EXPECT_EQ(decodeJpeg(twelve_bits).error().code, ErrorCode::unsupported);
+  EXPECT_THAT(decodeJpeg(twelve_bits).error().message, StartsWith("is a JPEG of 12 bits a sample, and those of 8"));
+
+  Bytes lossless = encoded(photograph(16, 16, 3));
+  lossless[frameHeader(lossless) + 1] = 0xc3;
+  EXPECT_EQ(decodeJpeg(lossless).error().code, ErrorCode::unsupported);
+  EXPECT_THAT(decodeJpeg(lossless).error().message, StartsWith("is a lossless JPEG; save it as"));
+}
+
+/// One colour of four inks, as the file stores them.
+Image8 inks(std::uint8_t cyan, std::uint8_t magenta, std::uint8_t yellow, std::uint8_t black) {
+  Image8 picture(16, 16, 4);
+  const std::array<std::uint8_t, 4> codes{cyan, magenta, yellow, black};
+  for (std::size_t i = 0; i < picture.samples().size(); ++i) picture.samples()[i] = codes[i % 4];
+  return picture;
+}
+
+// Adobe's programs store what the inks let through: 255 is none of them.
+TEST(Jpeg, InksAreMixed) {
+  struct InkCase {
+    testing::JpegForm form;
+    Image8 stored;
+    const char* remark;
+  };
+  const char* const adobe = "is in inks (CMYK): mixed to RGB by their product, without a profile of them";
+  for (const InkCase& c :
+       {InkCase{{.channels = 4}, inks(255, 200, 100, 128), adobe},
+        InkCase{{.channels = 4, .stored = JCS_YCCK}, inks(255, 200, 100, 128), adobe},
+        InkCase{
+            {.channels = 4, .has_adobe_marker = false},
+            inks(0, 55, 155, 127),
+            "is in inks (CMYK): mixed to RGB by their product, without a profile of them; 0 is taken as no ink, for "
+            "lack of Adobe's marker"}}) {
+    SCOPED_TRACE(c.remark);
+    const Bytes bytes = testing::jpegFile(c.stored, c.form);
+    const auto codes = decodeCodes(bytes);
+    ASSERT_TRUE(codes) << codes.error().message;
+    EXPECT_THAT(codes->oddities, ::testing::ElementsAre(c.remark));
+    // The products with 128 of 255; JPEG itself is off by a code or two.
+    const std::array<int, 4> expected{128, 100, 50, 255};
+    for (int channel = 0; channel < 4; ++channel)
+      EXPECT_NEAR(codes->codes.texel(5, 9)[channel], expected[std::size_t(channel)], 2);
+    const auto light = decodeImage(bytes);
+    EXPECT_EQ(light->image.channels(), 3);
+    EXPECT_EQ(light->format, "JPEG, 8 bit, CMYK");
+    EXPECT_NEAR(srgb8FromLinear(light->image.texel(5, 9)[1]), 100, 2);
+  }
+}
+
+// A profile of inks says nothing of the colours that are made of them here.
+TEST(Jpeg, TheProfileOfInksIsNamedAndNotApplied) {
+  const Bytes plain = testing::jpegFile(inks(255, 200, 100, 128), {.channels = 4});
+  const auto codes = decodeCodes(testing::jpegWithProfile(plain, testing::iccDisplayP3()));
+  ASSERT_TRUE(codes) << codes.error().message;
+  EXPECT_THAT(codes->oddities, ::testing::ElementsAre("is in inks (CMYK): mixed to RGB by their product, without their "
+                                                      "profile (Display P3)"));
+  EXPECT_EQ(codes->codes.samples()[0], decodeTexture(plain)->samples()[0]);
+}
+
+/// The same picture, its height in a DNL segment before the end marker.
+Bytes withHeightAtEnd(Bytes jpeg) {
+  const std::size_t height = frameHeader(jpeg) + 5;
+  const Bytes segment = jpegSegment(0xdc, std::span<const std::uint8_t>(jpeg).subspan(height, 2));
+  jpeg[height] = jpeg[height + 1] = 0;
+  jpeg.insert(jpeg.end() - 2, segment.begin(), segment.end());
+  return jpeg;
+}
+
+TEST(Jpeg, TheHeightMayStandBehindTheScan) {
+  const Bytes plain = encoded(photograph(24, 40, 3));
+  const Bytes late = withHeightAtEnd(plain);
+  const auto codes = decodeCodes(late);
+  ASSERT_TRUE(codes) << codes.error().message;
+  EXPECT_THAT(codes->oddities, ::testing::IsEmpty());
+  EXPECT_THAT(codes->codes.samples(), ::testing::ElementsAreArray(decodeTexture(plain)->samples()));
+  const auto cut = decodeCodes(Bytes(late.begin(), late.end() - 8));
+  ASSERT_FALSE(cut);
+  EXPECT_THAT(cut.error().message, StartsWith("leaves its height to a DNL segment, which is not there"));
+}
+
+TEST(Jpeg, MayBeginBehindOtherBytes) {
+  const Bytes plain = testing::withExif(encoded(photograph(24, 16, 3)), {.orientation = 6});
+  const Image8 expected = *decodeTexture(plain);
+  for (const std::string& before : {std::string("\n"), std::string("\r\n\r\n"), std::string("\xef\xbb\xbf"),
+                                    std::string("--frame\r\nContent-Type: image/jpeg\r\n\r\n"), std::string(64, 'x')}) {
+    Bytes late = bytesOf(before);
+    late.insert(late.end(), plain.begin(), plain.end());
+    const auto codes = decodeCodes(late);
+    ASSERT_TRUE(codes) << codes.error().message;
+    EXPECT_EQ(codes->oddities.size(), 2u);
+    EXPECT_THAT(
+        codes->oddities,
+        ::testing::Contains(::testing::EndsWith(" before its beginning belong to nothing, and are passed over")));
+    EXPECT_THAT(codes->codes.samples(), ::testing::ElementsAreArray(expected.samples()));
+    EXPECT_EQ(readJpegExif(late).orientation, 6);
+    late.insert(late.begin(), 64, 'x');
+    EXPECT_FALSE(decodeCodes(late));
+  }
+  Bytes archive = bytesOf(std::string("PK\x03\x04") + std::string(26, '\0'));
+  archive.insert(archive.end(), plain.begin(), plain.end());
+  EXPECT_THAT(decodeCodes(archive).error().message, StartsWith("is a zip archive"));
 }
 
 /// A small picture whose frame header says another size.

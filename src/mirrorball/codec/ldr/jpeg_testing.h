@@ -20,6 +20,8 @@ struct JpegForm {
   unsigned interval = 0;  ///< groups of blocks between restart markers
   bool progressive = false;
   std::vector<jpeg_scan_info> scans = {};  ///< none: as libjpeg chooses them
+  J_COLOR_SPACE stored = JCS_UNKNOWN;      ///< as libjpeg chooses it
+  bool has_adobe_marker = true;            ///< where libjpeg writes one
 };
 
 /// picture  with the form's channels
@@ -36,6 +38,8 @@ inline Bytes jpegFile(const Image8& picture, const JpegForm& form) {
   codec.input_components = form.channels;
   codec.in_color_space = form.channels == 1 ? JCS_GRAYSCALE : form.channels == 3 ? JCS_RGB : JCS_CMYK;
   jpeg_set_defaults(&codec);
+  if (form.stored != JCS_UNKNOWN) jpeg_set_colorspace(&codec, form.stored);
+  if (!form.has_adobe_marker) codec.write_Adobe_marker = FALSE;
   codec.comp_info[0].h_samp_factor = codec.comp_info[0].v_samp_factor = form.subsampling;
   codec.restart_interval = form.interval;
   if (form.progressive) jpeg_simple_progression(&codec);

@@ -67,15 +67,14 @@ Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) 
   return asImage(std::move(file), options.as);
 }
 
-Result<PictureCodes> decodeCodesByMagic(Span bytes) {
+Result<CodedFile> decodeCodedFile(Span bytes, CodeForm form) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
   const std::string right = readFormatNames(Holds::picture) + " for textures";
   if (!codec) return unknownFormat(bytes, right);
   if (!codec->decode_codes)
     return fail(ErrorCode::unsupported, "is " + std::string(formatOf(*formatBegunBy(bytes)).name) +
                                             ", which no texture of a model is; use " + right);
-  MIRRORBALL_TRY(file, codec->decode_codes(bytes, CodeForm::rgba));
-  return asCodes(std::move(file));
+  return codec->decode_codes(bytes, form);
 }
 
 /// What an image takes while alpha is put to it [bytes].
@@ -157,7 +156,17 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 }
 
 Result<PictureCodes> decodeCodes(Span bytes) {
-  return withinMemory<PictureCodes>([&] { return decodeCodesByMagic(bytes); });
+  return withinMemory<PictureCodes>([&]() -> Result<PictureCodes> {
+    MIRRORBALL_TRY(file, decodeCodedFile(bytes, CodeForm::rgba));
+    return asCodes(std::move(file));
+  });
+}
+
+Result<PictureFractions> decodeCodeFractions(Span bytes) {
+  return withinMemory<PictureFractions>([&]() -> Result<PictureFractions> {
+    MIRRORBALL_TRY(file, decodeCodedFile(bytes, CodeForm::stored));
+    return asFractions(std::move(file));
+  });
 }
 
 Result<Image8> decodeTexture(Span bytes) {

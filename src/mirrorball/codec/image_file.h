@@ -94,12 +94,15 @@ struct Decoded {
 };
 
 /// A picture as a camera or a program encoded it.
-struct PictureCodes {
-  Image8 codes;                            ///< 4 channels, alpha straight, upright
+template <typename Codes>
+struct EncodedPictureOf {
+  Codes codes;                             ///< alpha straight, upright
   CodedColor color = {};                   ///< what they stand for, as far as the file says
   Exif exif = {};                          ///< its orientation is that of the file, not of the codes
   std::vector<std::string> oddities = {};  ///< DecodedImage's
 };
+using PictureCodes = EncodedPictureOf<Image8>;     ///< codes of 8 bits, 4 channels
+using PictureFractions = EncodedPictureOf<Image>;  ///< fractions of the greatest code, the file's channels
 
 /// What travels in an OpenEXR file beside its image: "albedo.R", "normal.X".
 struct ImageLayer {
@@ -151,6 +154,9 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 ///
 /// errors   as decodeImage's; unsupported: the file holds no integers
 Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
+
+/// The same with all bits, as fractions of the greatest code.
+Result<PictureFractions> decodeCodeFractions(std::span<const std::uint8_t> bytes);
 
 /// The codes alone, for files that need no remark.
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);

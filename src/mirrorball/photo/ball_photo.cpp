@@ -51,7 +51,9 @@ const auto kBallPhotoOptions = std::to_array<Option<BallPhotoSettings>>({
      &BallPhotoSettings::exposures},
     {{.name = "response",
       .choices = "auto|srgb|gamma|linear",
-      .help = "the camera's response curve; auto recovers it from a series, and assumes sRGB for a single photograph",
+      .help = "the camera's response curve; auto recovers it from a series, assumes sRGB for a single photograph, and "
+              "takes "
+              "linear codes for light",
       .group = "Light"},
      choiceField<&BallPhotoSettings::response>},
     {layerText("Light"), &BallPhotoSettings::layer},

@@ -26,7 +26,7 @@ struct Evidence {
   }
 };
 
-double trustIn(int code) { return code >= kFirstClippedCode ? 0.0 : trustInCode(code); }
+double trustIn(double code) { return code >= kFirstClippedCode ? 0.0 : trustInCode(code); }
 
 std::string sizeText(const Photograph& photograph) {
   return std::to_string(photograph.width()) + "x" + std::to_string(photograph.height());
@@ -53,8 +53,11 @@ Result<void> checkSeries(std::span<const Photograph> photographs) {
       return fail(ErrorCode::bad_shape, photograph.name + ": says of its colours " +
                                             describeColor(photograph.color, 3) + ", but " + first.name + " " +
                                             describeColor(first.color, 3) + "; a series has the same");
-    if (photographs.size() > 1 && !photograph.light.empty())
-      return fail(ErrorCode::usage, photograph.name + ": is linear light already; give it alone, not in a series");
+    if (photographs.size() > 1 && !photograph.light.empty() && !photograph.is_clipped_at_1)
+      return fail(ErrorCode::usage,
+                  photograph.name +
+                      ": is linear light that does not say where the camera clipped it; give it alone, or a " +
+                      "series of integers");
   }
   return {};
 }
@@ -93,14 +96,38 @@ std::string nameOf(ResponseKind kind) {
                                        : "assumed linear";
 }
 
-/// The light of a row's pixels; counts those that all photographs clip or leave black.
+/// The samples of a series of codes, whose light a response says.
+struct ResponseSamples {
+  const CodesOfAll& codes;
+  const Response& response;
+
+  std::size_t count() const { return codes.size(); }
+  double code(std::size_t photograph, int x, int y, std::size_t c) const { return codes[photograph]->texel(x, y)[c]; }
+  double light(std::size_t photograph, int x, int y, std::size_t c) const {
+    return response.light[c][codes[photograph]->texel(x, y)[c]];
+  }
+};
+
+/// The samples of a series of linear codes, which are its light.
+struct LinearSamples {
+  std::span<const Photograph> photographs;
+
+  std::size_t count() const { return photographs.size(); }
+  double code(std::size_t photograph, int x, int y, std::size_t c) const { return 255.0 * light(photograph, x, y, c); }
+  double light(std::size_t photograph, int x, int y, std::size_t c) const {
+    const Image& image = photographs[photograph].light;
+    return image.texel(x, y)[image.channels() < 3 ? 0 : c];
+  }
+};
+
+/// Counts the pixels of a row that all photographs clip or leave black.
 struct RowCounts {
   std::size_t clipped = 0;
   std::size_t black = 0;
 };
 
-RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, const Response& response, int y,
-                   Image& light) {
+template <typename Samples>
+RowCounts mergeRow(const Samples& samples, std::span<const double> exposures, int y, Image& light) {
   const std::size_t shortest = std::size_t(std::min_element(exposures.begin(), exposures.end()) - exposures.begin());
   const std::size_t longest = std::size_t(std::max_element(exposures.begin(), exposures.end()) - exposures.begin());
   RowCounts counts;
@@ -108,17 +135,16 @@ RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, c
     bool clipped = false;
     bool black = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto lightOf = [&](std::size_t p) { return double(response.light[c][codes[p]->texel(x, y)[c]]); };
       Evidence evidence;
-      for (std::size_t p = 0; p < codes.size(); ++p)
-        evidence.add(lightOf(p), trustIn(codes[p]->texel(x, y)[c]), exposures[p]);
-      const bool too_bright = codes[shortest]->texel(x, y)[c] >= kFirstClippedCode;
-      const bool too_dark = codes[longest]->texel(x, y)[c] == 0;
+      for (std::size_t p = 0; p < samples.count(); ++p)
+        evidence.add(samples.light(p, x, y, c), trustIn(samples.code(p, x, y, c)), exposures[p]);
+      const bool too_bright = samples.code(shortest, x, y, c) >= kFirstClippedCode;
+      const bool too_dark = samples.code(longest, x, y, c) <= 0.0;
       clipped |= too_bright;
       black |= too_dark;
       double value = evidence.weights > 0.0 ? evidence.weighted / evidence.weights : 0.0;
-      if (too_bright) value = lightOf(shortest) / exposures[shortest];
-      if (too_dark) value = lightOf(longest) / exposures[longest];
+      if (too_bright) value = samples.light(shortest, x, y, c) / exposures[shortest];
+      if (too_dark) value = samples.light(longest, x, y, c) / exposures[longest];
       light.texel(x, y)[c] = static_cast<float>(value);
     }
     counts.clipped += clipped;
@@ -127,14 +153,15 @@ RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, c
   return counts;
 }
 
-void mergeCodes(const CodesOfAll& codes, std::span<const double> exposures, const Response& response,
-                MergedPhotographs& merged) {
-  merged.light = Image(codes.front()->width(), codes.front()->height(), 3);
-  const std::size_t rows = std::size_t(merged.light.height());
+template <typename Samples>
+void mergeSamples(const Samples& samples, std::span<const double> exposures, glm::ivec2 size,
+                  MergedPhotographs& merged) {
+  merged.light = Image(size.x, size.y, 3);
+  const std::size_t rows = std::size_t(size.y);
   std::vector<RowCounts> counts(rows);
   parallelFor(rows, 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y)
-      counts[y] = mergeRow(codes, exposures, response, static_cast<int>(y), merged.light);
+      counts[y] = mergeRow(samples, exposures, static_cast<int>(y), merged.light);
   });
   for (const RowCounts& row : counts) {
     merged.clipped += row.clipped;
@@ -230,13 +257,61 @@ std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector
   return is_one && maxStops(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
 }
 
+/// Linear codes rounded to 8 bits, by which photographs are held against each other, or another response is found.
+Image8 roundedCodes(const Image& light) {
+  Image8 codes = Image8::withoutValues(light.width(), light.height(), 4);
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      const glm::vec3 color = glm::clamp(rgbAt(light, x, y), 0.0f, 1.0f) * 255.0f + 0.5f;
+      for (int c = 0; c < 3; ++c) codes.texel(x, y)[c] = static_cast<std::uint8_t>(color[c]);
+      codes.texel(x, y)[3] = 255;
+    }
+  return codes;
+}
+
+/// Codes whose light a response says, of a camera or of the options.
+///
+/// exposures  1 is the reference's
+Result<void> mergeCodes(const CodesOfAll& codes, const std::vector<double>& exposures, const CodedColor& color,
+                        const MergeOptions& options, MergedPhotographs& merged) {
+  MIRRORBALL_TRY(response, responseOf(codes, exposures, options));
+  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
+  if (options.known) merged.response = "the first side's";
+  if (!options.known && !options.response && codes.size() > 1) {
+    merged.response = "recovered";
+    merged.curve = response;
+  }
+  if (!options.known && !options.response && codes.size() == 1 && color.transfer == Transfer::gamma) {
+    response = responseOfPower(color.gamma);
+    merged.response = "the file's gamma " + formatNumber(std::round(color.gamma * 1e3) / 1e3);
+  }
+  const glm::ivec2 size(codes.front()->width(), codes.front()->height());
+  mergeSamples(ResponseSamples{codes, response}, exposures, size, merged);
+  merged.contradicts_stops = allContradictions(codes, exposures, response, options);
+  return {};
+}
+
+/// Linear codes, which are light already.
+///
+/// codes      of the photographs, rounded
+/// exposures  1 is the reference's
+void mergeLinear(std::span<const Photograph> photographs, const CodesOfAll& codes, const std::vector<double>& exposures,
+                 MergedPhotographs& merged) {
+  merged.response = "linear light";
+  const glm::ivec2 size(photographs.front().width(), photographs.front().height());
+  mergeSamples(LinearSamples{photographs}, exposures, size, merged);
+  merged.contradicts_stops = namedContradictions(codes, exposures, assumedResponse(ResponseKind::linear),
+                                                 {.exposures = {}, .response = ResponseKind::linear});
+}
+
 }  // namespace
 
 Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
   MIRRORBALL_TRY_VOID(checkSeries(photographs));
+  const Photograph& first = photographs.front();
   MergedPhotographs merged;
-  if (!photographs.front().light.empty()) {
-    merged.light = photographs.front().light;
+  if (!first.light.empty() && !first.is_clipped_at_1) {
+    merged.light = first.light;
     merged.contradicts_stops = {0.0};
     merged.response = "linear light";
     return merged;
@@ -246,23 +321,17 @@ Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photograp
   const double reference = exposures[merged.reference];
   for (double& exposure : exposures) exposure /= reference;
 
+  std::vector<Image8> rounded;
+  for (const Photograph& photograph : photographs)
+    if (photograph.is_clipped_at_1) rounded.push_back(roundedCodes(photograph.light));
   CodesOfAll codes;
-  for (const Photograph& photograph : photographs) codes.push_back(&photograph.codes);
-  MIRRORBALL_TRY(response, responseOf(codes, exposures, options));
-  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
-  if (options.known) merged.response = "the first side's";
-  if (!options.known && !options.response && photographs.size() > 1) {
-    merged.response = "recovered";
-    merged.curve = response;
-  }
-  const CodedColor& color = photographs.front().color;
-  if (!options.known && !options.response && photographs.size() == 1 && color.transfer == Transfer::gamma) {
-    response = responseOfPower(color.gamma);
-    merged.response = "the file's gamma " + formatNumber(std::round(color.gamma * 1e3) / 1e3);
-  }
-  mergeCodes(codes, exposures, response, merged);
-  convertToRec709(merged.light, color.primaries);
-  merged.contradicts_stops = allContradictions(codes, exposures, response, options);
+  for (std::size_t i = 0; i < photographs.size(); ++i)
+    codes.push_back(rounded.empty() ? &photographs[i].codes : &rounded[i]);
+  if (first.is_clipped_at_1 && !options.response)
+    mergeLinear(photographs, codes, exposures, merged);
+  else
+    MIRRORBALL_TRY_VOID(mergeCodes(codes, exposures, first.color, options, merged));
+  convertToRec709(merged.light, first.color.primaries);
   return merged;
 }
 

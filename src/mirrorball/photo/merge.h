@@ -37,9 +37,11 @@ inline constexpr double kContradiction_stops = 0.5;
 /// all are clipped, the shortest exposure is used; if all are black, the longest. The light of the photographs' own
 /// primaries is converted to Rec.709's at the end.
 ///
-/// photographs  at least one, of one size; a file of linear light stands alone
+/// Linear codes are light by themselves, unless the options name a response.
+///
+/// photographs  at least one, of one size; a file of linear light stands alone, if its light is not that of codes
 /// errors       bad_shape (sizes or primaries differ; too little to recover the response from); usage (no exposure
-///              times; all the same; a wrong number of them; linear light in a series)
+///              times; all the same; a wrong number of them; linear light of floats in a series)
 /// cost         one pass over all pixels; bit-identical for any number of threads
 /// from         Robertson, Borman & Stevenson 2003, "Estimation-theoretic approach to dynamic range enhancement using
 ///              multiple exposures", eq. 10

@@ -122,6 +122,74 @@ TEST(Merge, KeepsTheRangeOfASeriesWithARecoveredCurve) {
   EXPECT_THAT(merged->contradicts_stops, Each(::testing::DoubleNear(0.0, 0.1)));
 }
 
+/// A series of linear codes of 16 bits, in a file's own primaries.
+std::vector<Photograph> linearSeries(const Image& light, const std::vector<double>& exposures) {
+  std::vector<Photograph> series;
+  for (const double exposure : exposures) {
+    Image codes = light;
+    for (float& sample : codes.samples())
+      sample = std::round(65535.0f * std::min(1.0f, static_cast<float>(exposure) * sample)) / 65535.0f;
+    series.push_back({.name = "photo_" + std::to_string(series.size()) + ".tif",
+                      .codes = {},
+                      .light = std::move(codes),
+                      .color = {.transfer = Transfer::linear},
+                      .is_clipped_at_1 = true});
+  }
+  return series;
+}
+
+// They need no response. Of 16 bits, a thousandth is 65 codes: 8 would leave a quarter.
+TEST(Merge, LinearCodesAreLight) {
+  const Image light = rampOfLight(1e-3, 150.0);
+  const auto merged = mergePhotographs(linearSeries(light, kExposures), {.exposures = kExposures});
+  ASSERT_TRUE(merged) << merged.error().message;
+  EXPECT_EQ(merged->response, "linear light");
+  EXPECT_FALSE(merged->curve);
+  EXPECT_EQ(merged->clipped, 0u);
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      const double truth = kExposures[2] * double(light.texel(x, y)[1]);
+      ASSERT_NEAR(merged->light.texel(x, y)[1], truth, 0.015 * truth) << x << ", " << y;
+    }
+  EXPECT_THAT(merged->contradicts_stops, Each(::testing::DoubleNear(0.0, 0.1)));
+}
+
+TEST(Merge, LinearCodesThatContradictOrClipAreReported) {
+  std::vector<double> wrong = kExposures;
+  wrong[3] *= 4.0;
+  const Image light = rampOfLight(1e-3, 2e3);
+  const auto merged = mergePhotographs(linearSeries(light, kExposures), {.exposures = wrong});
+  ASSERT_TRUE(merged) << merged.error().message;
+  EXPECT_GT(std::abs(merged->contradicts_stops[3]), kContradiction_stops);
+  EXPECT_GT(merged->clipped, 0u);
+  // What is said by hand counts more than the file.
+  const auto assumed =
+      mergePhotographs(linearSeries(light, kExposures), {.exposures = kExposures, .response = ResponseKind::srgb});
+  ASSERT_TRUE(assumed) << assumed.error().message;
+  EXPECT_EQ(assumed->response, "assumed sRGB");
+}
+
+// In the file's primaries, in which a channel is clipped or not.
+TEST(Merge, LinearCodesAreConvertedOnceTheyAreMerged) {
+  auto series = linearSeries(Image(8, 8, 3, 0.5f), {1.0, 0.25});
+  for (Photograph& photograph : series) {
+    photograph.color.primaries = kDisplayP3;
+    for (std::size_t i = 0; i < photograph.light.samples().size(); i += 3) photograph.light.samples()[i + 1] = 0.0f;
+  }
+  const auto merged = mergePhotographs(series, {.exposures = {1.0, 0.25}});
+  ASSERT_TRUE(merged) << merged.error().message;
+  const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * glm::vec3(0.5f, 0.0f, 0.5f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(merged->light.texel(3, 3)[c], expected[c], 1e-5f);
+}
+
+TEST(Merge, FloatsOfASeriesDoNotSayWhereTheyAreClipped) {
+  auto series = linearSeries(Image(8, 8, 3, 0.5f), {1.0, 0.25});
+  for (Photograph& photograph : series) photograph.is_clipped_at_1 = false;
+  const auto merged = mergePhotographs(series, {.exposures = {1.0, 0.25}});
+  ASSERT_FALSE(merged);
+  EXPECT_THAT(merged.error().message, HasSubstr("give it alone, or a series of integers"));
+}
+
 TEST(Merge, KeepsARangeOfAHundredThousand) {
   const Image light = rampOfLight(2e-2, 2.4e3);
   const std::vector<double> exposures{1.0 / 4096, 1.0 / 256, 1.0 / 16, 1.0};

@@ -15,6 +15,17 @@ bool isOfCamera(const CodedColor& color) {
   return color.transfer == Transfer::srgb || color.transfer == Transfer::gamma;
 }
 
+/// Codes that are proportional to light need no response: all their bits count, as the file has them, so that what
+/// was too bright for the camera is still known by it.
+Result<Photograph> withLinearCodes(Photograph photograph, std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(read, withName(photograph.name, decodeCodeFractions(bytes)));
+  photograph.light = std::move(read.codes);
+  photograph.color = std::move(read.color);
+  photograph.oddities = std::move(read.oddities);
+  photograph.is_clipped_at_1 = true;
+  return photograph;
+}
+
 }  // namespace
 
 Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::string& layer) {
@@ -29,6 +40,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::
       photograph.oddities = std::move(read.oddities);
       return photograph;
     }
+    if (read.color.transfer == Transfer::linear) return withLinearCodes(std::move(photograph), bytes);
   }
   MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes, {.layer = layer})));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)

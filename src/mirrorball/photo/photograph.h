@@ -17,17 +17,18 @@ namespace mirrorball {
 struct Photograph {
   std::string name;  ///< the file, for messages
   Image8 codes;      ///< 4 channels, RGB as stored; empty where the file says what light it holds
-  Image light;       ///< linear light of such a file, with Rec.709's primaries; else empty
+  Image light;       ///< linear light of such a file, with the primaries of `color`; else empty
   Exif exif = {};
-  CodedColor color = {};                   ///< of the codes; a camera may not keep to its curve
+  CodedColor color = {};                   ///< of the codes, whose camera may not keep to the curve, or of the light
+  bool is_clipped_at_1 = false;            ///< the light is linear codes as a camera has them, and 1 the greatest
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
 
   int width() const { return codes.empty() ? light.width() : codes.width(); }
   int height() const { return codes.empty() ? light.height() : codes.height(); }
 };
 
-/// Reads a photograph, upright. Integers of 16 bits are rounded to 8. Floats are linear light, and so are codes of PQ,
-/// HLG and other curves that are not a camera's.
+/// Reads a photograph, upright. Integers of 16 bits are rounded to 8, but for those that the file says are proportional
+/// to light. Floats are linear light, and so are codes of PQ, HLG and other curves that are not a camera's.
 ///
 /// layer    of a file of several pictures (ImageReadOptions::layer); empty: the picture
 /// errors   whatever the codec finds; non_finite in linear light

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/image/upright.h"
@@ -79,6 +80,19 @@ TEST(CodedFile, LightBeyondCodesBecomesFloats) {
   EXPECT_EQ(light.texel(1, 0)[3], 1.0f);
   // White stays white, whatever its primaries.
   EXPECT_EQ(std::get<Image8>(asTexels(fileWith(Image8(1, 1, 3, 255), kP3))->picture).texel(0, 0)[0], 255);
+}
+
+// Codes, their light and the codes that become of it stand side by side.
+TEST(CodedFile, TheMemoryOfAConvertedTextureIsCounted) {
+  const Image8 codes(64, 64, 3, 100);
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(64 * 64 * (3 + 3 * 4 + 4 * 4));
+  const auto texture = asTexels(fileWith(codes, kP3));
+  const auto plain = asTexels(fileWith(codes));
+  setMemoryLimit(usual);
+  ASSERT_FALSE(texture);
+  EXPECT_EQ(texture.error().code, ErrorCode::too_large);
+  EXPECT_TRUE(plain);
 }
 
 TEST(CodedFile, OtherCurvesBecomeSrgbsCodes) {

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mirrorball/base/unicode.h"
+
 namespace mirrorball {
 namespace {
 
@@ -193,38 +195,6 @@ std::string formatNumber(double number) {
 }
 
 namespace {
-
-/// A code point of UTF-8, and how many bytes of a text it takes.
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t bytes = 1;
-  bool is_valid = false;  ///< else the byte is none of UTF-8, or not in its place
-};
-
-CodePoint firstCodePoint(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1, true};
-  // Of two, three and four bytes: what marks the first, and the least value that is not written shorter.
-  constexpr struct {
-    unsigned char mask, mark;
-    char32_t least;
-  } kForms[] = {{0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, {0xF8, 0xF0, 0x10000}};
-  for (std::size_t form = 0; form < std::size(kForms); ++form) {
-    const auto& [mask, mark, least] = kForms[form];
-    const std::size_t count = form + 2;
-    if ((first & mask) != mark || text.size() < count) continue;
-    char32_t value = first & static_cast<unsigned char>(~mask);
-    for (std::size_t i = 1; i < count; ++i) {
-      if ((byte(i) & 0xC0) != 0x80) return {};
-      value = value << 6 | (byte(i) & 0x3Fu);
-    }
-    const bool is_surrogate = value >= 0xD800 && value < 0xE000;
-    if (value < least || value > 0x10FFFF || is_surrogate) return {};
-    return {value, count, true};
-  }
-  return {};
-}
 
 /// Whether it acts on a terminal instead of being shown there: controls, line separators, directions of writing.
 bool isControl(char32_t point) {

@@ -164,7 +164,7 @@ TEST_F(PhotoSphereTest, APartThatTheFileDoesNotStateIsNamed) {
               HasSubstr("the word fill=smooth behind its crop or fov"));
   succeed("convert half.jpg --from equirect:crop=none -o whole.exr");
   EXPECT_EQ(image("whole.exr").width(), 256);
-  EXPECT_THAT(refuse(2, "convert part.jpg --from equirect:crop=400,64,256,128/512x256 -o none.exr"),
+  EXPECT_THAT(refuse(2, "convert part.jpg --from equirect:crop=128,200,256,128/512x256 -o none.exr"),
               HasSubstr("reaches beyond a panorama of 512x256"));
   EXPECT_THAT(refuse(2, "convert part.jpg --from equirect:fov=400x90 -o none.exr"), HasSubstr("at most 360x180"));
   EXPECT_THAT(refuse(1, "convert part.jpg --from equirect:fov=360x90 -o none.exr"),
@@ -206,7 +206,7 @@ TEST_F(PhotoSphereTest, OtherProjectionsAreNamedAndNothingIsGuessed) {
   EXPECT_THAT(refuse(1, "convert cylinder.jpg -o none.exr"),
               AllOf(HasSubstr("cylinder.jpg: is a panorama in the projection 'cylindrical', as its GPano says"),
                     HasSubstr("or name its form with --from")));
-  write("wrong.jpg", asPhotoSphere(bytes("part.jpg"), croppedArea("400", "64", "256", "128", "512", "256")));
+  write("wrong.jpg", asPhotoSphere(bytes("part.jpg"), croppedArea("128", "200", "256", "128", "512", "256")));
   EXPECT_THAT(run("convert wrong.jpg -o wrong.exr").err,
               AllOf(HasSubstr("which reaches beyond a panorama of 512x256: that crop is ignored"),
                     HasSubstr("--from equirect:crop=X,Y,W,H/FULLWxFULLH says it by hand")));

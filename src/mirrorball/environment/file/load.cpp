@@ -83,7 +83,7 @@ Result<void> takeHalf(PictureHalf half, DecodedImage& decoded) {
   const glm::ivec2 size = sizeOfHalf({decoded.image.width(), decoded.image.height()}, half);
   if (size.x < 1 || size.y < 1) return fail(ErrorCode::bad_shape, "is too small to be a picture for two eyes");
   MIRRORBALL_TRY_VOID(checkImageMemory(size.x, size.y, decoded.image.channels()));
-  decoded.image = halfOf(decoded.image, half);
+  decoded.image = cutHalf(decoded.image, half);
   decoded.window.reset();
   return {};
 }

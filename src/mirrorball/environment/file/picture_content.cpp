@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,14 @@ bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
   return true;
 }
 
+/// Whether all texels are alike.
+bool isEven(const Image& picture) {
+  const auto first = picture.samples().first(static_cast<std::size_t>(picture.channels()));
+  for (std::size_t i = 0; i < picture.samples().size(); ++i)
+    if (picture.samples()[i] != first[i % first.size()]) return false;
+  return true;
+}
+
 }  // namespace
 
 bool showsDisc(const Image& picture) { return holdsDisc({picture, {0, 0}, picture.width()}); }
@@ -205,7 +214,8 @@ Result<FormDoubt> settleByContent(const Image& picture, Recognition& recognition
                 "is 2:1 and shows two discs on black, as a camera with two fisheye lenses writes them before they are "
                 "stitched: stitch it to a panorama; {option:from} paraboloid reads a dual paraboloid map, "
                 "{option:from} equirect a panorama");
-  if (form.projection != Projection::sphere) return FormDoubt{};
+  // Light of one colour is the same in every form.
+  if (form.projection != Projection::sphere || isEven(picture)) return FormDoubt{};
   if (showsDisc(picture))
     return FormDoubt{"is square, with a disc on black: taken as a sphere map, a mirror ball seen from far away",
                      {"angular", "ball"}};

@@ -58,12 +58,12 @@ Image stripOnBlack(float begin, float end) {
 
 TEST(PictureContent, ADiscOnBlackIsSeen) {
   for (const Projection projection : {Projection::sphere, Projection::angular, Projection::ball})
-    EXPECT_TRUE(showsDisc(pictureOfLight(projection, 128))) << textOf(projection);
+    EXPECT_TRUE(showsDisc(pictureOfLight(projection, 128))) << testing::testName(projection);
   Image noisy = pictureOfLight(Projection::sphere, 128);
   for (float& sample : noisy.samples()) sample += 0.001f;
   EXPECT_TRUE(showsDisc(noisy)) << "a camera's black";
   for (const Projection projection : {Projection::octahedral, Projection::equal_area, Projection::hemioctahedral})
-    EXPECT_FALSE(showsDisc(pictureOfLight(projection, 128))) << textOf(projection);
+    EXPECT_FALSE(showsDisc(pictureOfLight(projection, 128))) << testing::testName(projection);
   EXPECT_FALSE(showsDisc(Image(64, 64, 3)));
   EXPECT_FALSE(showsDisc(Image(64, 64, 3, 1.0f)));
   EXPECT_FALSE(showsDisc(Image(1, 1, 3, 1.0f)));
@@ -80,9 +80,9 @@ TEST(PictureContent, TwoDiscsAreNoPanorama) {
 
 TEST(PictureContent, OnlyAnUnfoldedOctahedronFoldsAtItsEdges) {
   for (const Projection projection : {Projection::octahedral, Projection::equal_area})
-    EXPECT_TRUE(foldsAtEdges(pictureOfLight(projection, 256))) << textOf(projection);
+    EXPECT_TRUE(foldsAtEdges(pictureOfLight(projection, 256))) << testing::testName(projection);
   for (const Projection projection : {Projection::sphere, Projection::angular, Projection::hemioctahedral})
-    EXPECT_FALSE(foldsAtEdges(pictureOfLight(projection, 256))) << textOf(projection);
+    EXPECT_FALSE(foldsAtEdges(pictureOfLight(projection, 256))) << testing::testName(projection);
   EXPECT_FALSE(foldsAtEdges(convert(Environment(landscape, 64), Projection::cube, 128)->face(4)));
   EXPECT_FALSE(foldsAtEdges(Image(64, 64, 3, 1.0f))) << "one colour shows nothing";
 }
@@ -95,7 +95,7 @@ TEST(PictureContent, TwoEyesAreNearlyEqual) {
   EXPECT_EQ(equalHalves(joined(left, pictureOfLight(Projection::equirect, 256, testing::waves), true)), std::nullopt);
   for (const Projection projection : {Projection::sphere, Projection::angular, Projection::octahedral,
                                       Projection::equal_area, Projection::hemioctahedral})
-    EXPECT_EQ(equalHalves(pictureOfLight(projection, 256)), std::nullopt) << textOf(projection);
+    EXPECT_EQ(equalHalves(pictureOfLight(projection, 256)), std::nullopt) << testing::testName(projection);
   Image stripes(256, 256, 3);
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x) std::fill_n(stripes.texel(x, y), 3, 0.5f + 0.4f * std::sin(0.1f * float(x)));
@@ -109,9 +109,9 @@ TEST(PictureContent, APhotographFillsTheCellsThatACrossLeavesEmpty) {
   for (const CubeLayout layout : {CubeLayout::hcross, CubeLayout::vcross, CubeLayout::lecture}) {
     Image cross = pictureOf(cube, {Projection::cube, layout});
     const CubeLayout shape = layout == CubeLayout::lecture ? CubeLayout::hcross : layout;
-    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << nameOf(layout);
+    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << int(layout);
     for (float& sample : cross.samples()) sample = sample == 0.0f ? 1.0f : sample;
-    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << nameOf(layout) << " on white";
+    EXPECT_FALSE(fillsEmptyCells(cross, shape)) << int(layout) << " on white";
   }
   EXPECT_TRUE(
       fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 192), {256, 192}), CubeLayout::hcross));
@@ -139,6 +139,7 @@ TEST(PictureContent, WhatAShapeLeavesOpenIsSettledOrRemarked) {
   EXPECT_THAT(face.message, HasSubstr("with light in its corners"));
   EXPECT_THAT(face.other_forms, ElementsAre("angular", "ball", "equal-area", "octahedral"));
   EXPECT_EQ(recognition.form.projection, Projection::sphere);
+  EXPECT_EQ(settled(Image(64, 64, 3, 0.5f), recognition).message, "") << "the same light in every form";
   EXPECT_EQ(settled(pictureOfLight(Projection::equirect, 128), recognition).message, "");
   recognition = *recognize(256, 128, {});
   const auto refused = settleByContent(pictureOfLight(Projection::paraboloid, 128), recognition);

@@ -5,14 +5,14 @@
 
 namespace mirrorball {
 
-std::string_view nameOf(PictureHalf half) { return kPictureHalfNames[static_cast<std::size_t>(half)]; }
+std::string_view halfName(PictureHalf half) { return kPictureHalfNames[static_cast<std::size_t>(half)]; }
 
 glm::ivec2 sizeOfHalf(glm::ivec2 picture, PictureHalf half) {
   const bool is_upright = half == PictureHalf::top || half == PictureHalf::bottom;
   return is_upright ? glm::ivec2(picture.x, picture.y / 2) : glm::ivec2(picture.x / 2, picture.y);
 }
 
-Image halfOf(const Image& picture, PictureHalf half) {
+Image cutHalf(const Image& picture, PictureHalf half) {
   const glm::ivec2 whole(picture.width(), picture.height());
   const glm::ivec2 size = sizeOfHalf(whole, half);
   const bool is_second = half == PictureHalf::bottom || half == PictureHalf::right;

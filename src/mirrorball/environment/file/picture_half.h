@@ -17,7 +17,7 @@ enum class PictureHalf { top, bottom, left, right };
 inline constexpr std::array<std::string_view, 4> kPictureHalfNames{"top", "bottom", "left", "right"};
 
 /// The name of a half.
-std::string_view nameOf(PictureHalf half);
+std::string_view halfName(PictureHalf half);
 
 /// The size of a half of a picture; an odd row or column in the middle is left out.
 glm::ivec2 sizeOfHalf(glm::ivec2 picture, PictureHalf half);
@@ -25,6 +25,6 @@ glm::ivec2 sizeOfHalf(glm::ivec2 picture, PictureHalf half);
 /// The half of a picture.
 ///
 /// picture  of at least two rows, or columns
-Image halfOf(const Image& picture, PictureHalf half);
+Image cutHalf(const Image& picture, PictureHalf half);
 
 }  // namespace mirrorball

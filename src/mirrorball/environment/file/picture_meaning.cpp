@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/picture_window.h"
 #include "mirrorball/environment/file/picture_content.h"
 
 namespace mirrorball {
@@ -87,7 +88,7 @@ StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::o
   std::string oddity = is_stated ? "is a stereo picture, as its StereoMode says"
                                  : "holds two panoramas that are nearly equal, as a stereo picture's";
   oddity += is_top ? ": the upper one is read" : ": the left one is read";
-  oddity += "; {option:from} equirect:eye=" + std::string(nameOf(is_top ? PictureHalf::bottom : PictureHalf::right)) +
+  oddity += "; {option:from} equirect:eye=" + std::string(halfName(is_top ? PictureHalf::bottom : PictureHalf::right)) +
             " reads the other";
   if (!is_stated && is_top) oddity += ", {option:from} sphere the whole as one map";
   return {half, std::move(oddity)};
@@ -132,8 +133,9 @@ Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, co
 }
 
 void adviseOnRest(const PictureWindow& window, std::vector<std::string>& oddities) {
-  if (shareOfSphere(window) < 1.0 && !oddities.empty())
-    oddities.back() += ", and lights nothing; {option:from} equirect:fill=smooth continues the picture into it";
+  const auto remark = std::find(oddities.begin(), oddities.end(), windowText(window));
+  if (shareOfSphere(window) < 1.0 && remark != oddities.end())
+    *remark += ", and lights nothing; {option:from} equirect:fill=smooth continues the picture into it";
 }
 
 Result<void> completePanorama(const PictureMeaning& meaning, const FormHint& hint, DecodedImage& decoded) {

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mirrorball/codec/picture_window.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
@@ -170,6 +172,17 @@ TEST(PictureMeaning, TheWindowOfAPictureThatIsResampledIsThatOfTheMap) {
   EXPECT_EQ(plain.window->size, glm::ivec2(256, 86));
   const DecodedImage filled = completed("equirect:fill=smooth");
   for (const float sample : filled.image.samples()) ASSERT_NEAR(sample, 0.5f, 1e-3f) << "no black is mixed in";
+}
+
+// Remarks on what is missing may stand behind it.
+TEST(PictureMeaning, TheRemarkOnAWindowIsKnownByItsWords) {
+  const PictureWindow window{.whole = {512, 256}, .corner = {128, 64}, .source = "its window", .size = {256, 128}};
+  std::vector<std::string> oddities{"a choice of layers", windowText(window), "3 rows are missing"};
+  adviseOnRest(window, oddities);
+  EXPECT_THAT(oddities, ElementsAre("a choice of layers",
+                                    windowText(window) + ", and lights nothing; {option:from} equirect:fill=smooth "
+                                                         "continues the picture into it",
+                                    "3 rows are missing"));
 }
 
 /// Files of grey panoramas, which are read by rows where they need not be completed.

@@ -59,8 +59,8 @@ Result<FormHint> formHintNamed(std::string_view name);
 struct Recognition {
   MapForm form;
   std::string told_by;       ///< "the file's metadata", "its shape, 2:1"; empty: the hint
-  bool is_guess = false;     ///< of a cube: only shape or names told it, and another form may be right
-  bool is_by_shape = false;  ///< only the picture's shape told it
+  bool is_guess = false;     ///< of a cube: known by shape or names alone, and another form may be right
+  bool is_by_shape = false;  ///< known by the picture's shape alone
 };
 
 /// Doubts about the form that was recognised.

@@ -16,6 +16,7 @@ struct CutFile {
   std::function<Bytes()> bytes;
   bool from_top = true;     ///< the upper rows come first
   bool is_by_rows = false;  ///< openRows opens it
+  int rows_together = 1;    ///< that are there or missing at once
 };
 
 class EarlyEnd : public ::testing::TestWithParam<CutFile> {};

@@ -24,31 +24,33 @@ Bytes overscanExr() {
   return testing::foreignFile(header, gradient(20, 12, 3), {"R", "G", "B"});
 }
 
+/// A file that is read as far as it goes.
+DamagedFile inPart(const char* name, std::function<Bytes()> bytes) { return {name, std::move(bytes), true}; }
+
 INSTANTIATE_TEST_SUITE_P(
     Exr, Damage,
     ::testing::Values(
-        DamagedFile{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }},
-        DamagedFile{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
-        DamagedFile{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
-        DamagedFile{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
-        DamagedFile{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
+        inPart("ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }),
+        inPart("ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }),
+        inPart("ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }),
+        inPart("ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }),
+        inPart("ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }),
         DamagedFile{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
-        DamagedFile{"ExrTiled",
-                    [] {
-                      return testing::foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
-                                                                           Imf::ONE_LEVEL);
-                    }},
-        DamagedFile{
-            "ExrLayers",
-            [] {
-              return testing::constantFile(
-                  {{"AO.R", 1}, {"AO.G", 2}, {"AO.B", 3}, {"N.X", 4}, {"rgba.R", 5}, {"rgba.G", 6}, {"rgba.B", 7}});
-            }},
-        DamagedFile{"ExrParts",
-                    [] {
-                      return testing::constantParts({{"depth", {{"Z", 5}}}, {"rgba", {{"R", 1}, {"G", 2}, {"B", 3}}}});
-                    }},
-        DamagedFile{"ExrWindow", [] { return overscanExr(); }}),
+        inPart("ExrTiled",
+               [] {
+                 return testing::foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
+                                                                      Imf::ONE_LEVEL);
+               }),
+        inPart("ExrLayers",
+               [] {
+                 return testing::constantFile(
+                     {{"AO.R", 1}, {"AO.G", 2}, {"AO.B", 3}, {"N.X", 4}, {"rgba.R", 5}, {"rgba.G", 6}, {"rgba.B", 7}});
+               }),
+        inPart("ExrParts",
+               [] {
+                 return testing::constantParts({{"depth", {{"Z", 5}}}, {"rgba", {{"R", 1}, {"G", 2}, {"B", 3}}}});
+               }),
+        inPart("ExrWindow", [] { return overscanExr(); })),
     testing::nameOfDamaged);
 
 }  // namespace

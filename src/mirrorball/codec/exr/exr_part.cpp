@@ -5,6 +5,7 @@
 #include <exception>
 #include <string_view>
 
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -16,8 +17,10 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/codec/exr/exr_missing_rows.h"
 #include "mirrorball/codec/exr/exr_stream.h"
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -38,21 +41,89 @@ ExrPartNames readNames(const Imf::Header& header) {
 
 Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer) {
   useExrThreads();
-  // A file whose table of offsets is unfinished is not mended: its writer did not get to the end.
-  constexpr bool kMendOffsets = false;
   ExrPart part;
   part.stream_ = std::move(stream);
-  part.file_ = std::make_unique<Imf::MultiPartInputFile>(*part.stream_, Imf::globalThreadCount(), kMendOffsets);
+  part.openFile(/*finds_offsets=*/false);
+  const std::uint64_t first_chunk = part.stream_->tellg();  // behind the tables of offsets
   std::vector<ExrPartNames> names;
   for (int i = 0; i < part.file_->parts(); ++i) names.push_back(readNames(part.file_->header(i)));
   part.layers_ = exrLayers(names);
   MIRRORBALL_TRY(choice, chooseExrLayer(part.layers_, layer));
   part.choice_ = std::move(choice);
-  if (!part.file_->partComplete(part.layer().part))
-    return fail(ErrorCode::bad_file, "part of its texels is missing; the file was not written to its end");
   MIRRORBALL_TRY(window, exrWindow(part.header(), file_size));
   part.window_ = std::move(window);
+  MIRRORBALL_TRY_VOID(part.findMissingRows(first_chunk, file_size));
   return part;
+}
+
+void ExrPart::openFile(bool finds_offsets) {
+  file_.reset();
+  stream_->seekg(0);
+  file_ = std::make_unique<Imf::MultiPartInputFile>(*stream_, Imf::globalThreadCount(), finds_offsets);
+}
+
+/// Whether the chunk can be read that was written last, unless tiles were written in no order.
+bool ExrPart::hasLastChunk() const {
+  const Imath::Box2i& data = window_.data;
+  const int rows = rowsInExrChunk(header());
+  const int first = header().lineOrder() == Imf::DECREASING_Y ? 0 : (data.max.y - data.min.y) / rows * rows;
+  const int last = std::min(first + rows - 1, data.max.y - data.min.y);
+  Imf::InputPart part(*file_, layer().part);
+  try {
+    if (header().hasTileDescription()) {
+      std::vector<float> texels(std::size_t(channels()) * std::size_t(window_.dataWidth()) *
+                                std::size_t(last - first + 1));
+      readInto(texels.data(), {{data.min.x, data.min.y + first}, {data.max.x, data.min.y + last}});
+    } else {
+      const char* packed = nullptr;
+      int size = 0;
+      part.rawPixelData(data.min.y + first, packed, size);
+    }
+    return true;
+  } catch (const Iex::BaseExc&) {
+    return false;
+  }
+}
+
+Result<void> ExrPart::findMissingRows(std::uint64_t first_chunk, std::uint64_t file_size) {
+  const bool has_all_offsets = file_->partComplete(layer().part);
+  if (hasChroma()) {
+    if (has_all_offsets) return {};
+    return fail(ErrorCode::bad_file,
+                "part of its luminance and chroma is missing; the file was not written to its end");
+  }
+  // Tiles are only read decoded, as many as stand beside each other.
+  const int rows = header().hasTileDescription() ? rowsInExrChunk(header()) : 1;
+  MIRRORBALL_TRY_VOID(checkImageMemory(window_.dataWidth(), rows, channels()));
+  if (has_all_offsets && hasLastChunk()) return {};
+  is_missing_ = missingExrRows(*stream_, *file_, layer().part, first_chunk, file_size);
+  // What OpenEXR takes for its place in the file is so no longer.
+  openFile(/*finds_offsets=*/!has_all_offsets);
+  if (missingRows() == height())
+    return fail(ErrorCode::bad_file, "none of its rows is whole; the file was not written to its end");
+  return {};
+}
+
+bool ExrPart::isMissing(int row) const {
+  const int line = window_.picture.min.y + row;
+  return !is_missing_.empty() && line >= window_.data.min.y && line <= window_.data.max.y &&
+         is_missing_[std::size_t(line - window_.data.min.y)] != 0;
+}
+
+int ExrPart::missingRows() const {
+  int count = 0;
+  for (int row = 0; !is_missing_.empty() && row < height(); ++row) count += isMissing(row) ? 1 : 0;
+  return count;
+}
+
+std::string ExrPart::missingRowsRemark() const {
+  const int missing = missingRows();
+  if (missing == 0) return {};
+  int lower = 0;  // of them that stand below all others; or above, where lines are stored from below
+  const bool is_from_top = header().lineOrder() != Imf::DECREASING_Y;
+  while (lower < missing && isMissing(is_from_top ? height() - 1 - lower : lower)) ++lower;
+  return lower == missing ? earlyEndText(std::size_t(missing))
+                          : "was not written to its end: " + missingRowsText(std::size_t(missing));
 }
 
 int ExrPart::channels() const {
@@ -75,6 +146,23 @@ void ExrPart::readInto(float* texels, const Imath::Box2i& rows) const {
 }
 
 void ExrPart::readRows(int first, int count, float* samples) const {
+  const std::size_t row_samples = std::size_t(channels()) * std::size_t(width());
+  for (int row = first; row < first + count;) {
+    const int begin = row;
+    const bool is_missing = isMissing(begin);
+    while (row < first + count && isMissing(row) == is_missing) ++row;
+    float* const to = samples + row_samples * std::size_t(begin - first);
+    if (!is_missing) {
+      readWholeRows(begin, row - begin, to);
+      continue;
+    }
+    std::fill_n(to, row_samples * std::size_t(row - begin), 0.0f);
+    if (channels() == 4)  // black, and opaque
+      for (std::size_t i = 3; i < row_samples * std::size_t(row - begin); i += 4) to[i] = 1.0f;
+  }
+}
+
+void ExrPart::readWholeRows(int first, int count, float* samples) const {
   const auto texel_samples = static_cast<std::size_t>(channels());
   const std::size_t row_samples = texel_samples * std::size_t(width());
   // Neither what lies outside of the data window nor the third of two numbers is in the file.

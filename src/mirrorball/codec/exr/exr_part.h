@@ -20,13 +20,15 @@
 namespace mirrorball {
 
 /// The picture of an OpenEXR file: a layer of one of its parts (exr_layer.h), in its display window (exr_window.h).
+/// Rows that the file lacks, because it was not written to its end, are black.
 class ExrPart {
  public:
   /// Opens a file whose sizes have been checked (checkExrSizes). Errors in its structure throw, as OpenEXR does.
   ///
   /// file_size  in bytes
   /// layer      the name of the layer to read; empty: the picture
-  /// errors     unsupported (no picture); not_found (no such layer); bad_file (part of the texels is missing; windows)
+  /// errors     unsupported (no picture); not_found (no such layer); too_large (a row of tiles); bad_file (none of the rows is there, or one of
+  ///            luminance and chroma is missing; windows)
   static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer);
 
   int width() const { return window_.width(); }
@@ -51,17 +53,26 @@ class ExrPart {
     to.layer = layer().name;
     if (layers_.size() > 1) to.layers = pictureLayers(layers_);
     to.is_layer_guessed = choice_.is_guessed;
-    for (const std::string& oddity : {choice_.oddity, window_.oddity})
+    for (const std::string& oddity : {choice_.oddity, window_.oddity, missingRowsRemark()})
       if (!oddity.empty()) to.oddities.push_back(oddity);
   }
 
-  /// Reads rows as floats, alpha premultiplied, primaries as the file has them; 0 where the file has no texels. Throws,
-  /// as OpenEXR does.
+  /// Reads rows as floats, alpha premultiplied, primaries as the file has them; 0 where the file has no texels, and
+  /// opaque where it should have some. Throws, as OpenEXR does.
   ///
   /// samples  of `count` rows, `channels()` a texel
   void readRows(int first, int count, float* samples) const;
 
  private:
+  /// finds_offsets  whether chunks are looked for that the table of offsets lacks, in the whole file
+  void openFile(bool finds_offsets);
+  bool hasLastChunk() const;
+  Result<void> findMissingRows(std::uint64_t first_chunk, std::uint64_t file_size);
+  /// Of the picture, counted from its top.
+  bool isMissing(int row) const;
+  int missingRows() const;
+  std::string missingRowsRemark() const;
+  void readWholeRows(int first, int count, float* samples) const;
   void readInto(float* texels, const Imath::Box2i& rows) const;
 
   std::unique_ptr<Imf::IStream> stream_;
@@ -69,6 +80,7 @@ class ExrPart {
   std::vector<ExrLayer> layers_;
   ExrLayerChoice choice_;
   ExrWindow window_;
+  std::vector<std::uint8_t> is_missing_ = {};  ///< of each row of the data window; empty: none is
 };
 
 /// What OpenEXR says is wrong, in one line.

@@ -131,21 +131,6 @@ TEST(Exr, AFileWithoutAPictureListsItsLayers) {
   EXPECT_THAT(error.message, HasSubstr("no picture among its layers: Z, id;"));
 }
 
-TEST(Exr, AFileThatWasNotWrittenToItsEndIsRefused) {
-  Imf::Header header(40, 40);
-  addChannels(header, {"R", "G", "B"});
-  const Image image = gradient(40, 40, 3);
-  ExrOutput stream;
-  {
-    Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frameOf(image, {"R", "G", "B"}, header.dataWindow()));
-    file.writePixels(20);
-  }
-  const Error error = failureOfExr(stream.takeBytes());
-  EXPECT_EQ(error.code, ErrorCode::bad_file);
-  EXPECT_THAT(error.message, HasSubstr("missing"));
-}
-
 /// Replaces the data window's largest x and y where they stand in a file's header.
 Bytes withDataWindow(Bytes bytes, std::int32_t x, std::int32_t y) {
   const std::string key = std::string("dataWindow\0box2i\0", 17);

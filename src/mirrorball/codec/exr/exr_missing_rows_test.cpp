@@ -1,0 +1,151 @@
+#include "mirrorball/codec/exr/exr_missing_rows.h"
+
+#include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledOutputFile.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/early_end_testing.h"
+#include "mirrorball/codec/exr/exr_testing.h"
+#include "mirrorball/codec/image_file_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::CutFile;
+using testing::decoded;
+using testing::EarlyEnd;
+using ::testing::ElementsAre;
+using testing::gradient;
+using ::testing::HasSubstr;
+
+const std::vector<std::string> kRgbNames{"R", "G", "B"};
+
+Imf::Header headerOf(int width, int height, Imf::Compression compression, Imf::LineOrder order = Imf::INCREASING_Y) {
+  Imf::Header header(width, height);
+  header.compression() = compression;
+  header.lineOrder() = order;
+  return header;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Exr, EarlyEnd,
+    ::testing::Values(
+        CutFile{"ExrPlain",
+                [] { return testing::foreignFile(headerOf(5, 6, Imf::NO_COMPRESSION), gradient(5, 6, 3), kRgbNames); },
+                true, true},
+        CutFile{"ExrAlpha", [] { return *encodeExr(gradient(9, 40, 4), {}); }, true, true, 16},
+        CutFile{
+            "ExrPiz",
+            [] { return testing::foreignFile(headerOf(5, 70, Imf::PIZ_COMPRESSION), gradient(5, 70, 3), kRgbNames); },
+            true, true, 32},
+        CutFile{"ExrFromBelow",
+                [] {
+                  return testing::foreignFile(headerOf(5, 6, Imf::ZIPS_COMPRESSION, Imf::DECREASING_Y),
+                                              gradient(5, 6, 3), kRgbNames);
+                },
+                false, true},
+        CutFile{"ExrTiles",
+                [] { return testing::tiledFile(Imf::Header(40, 70), gradient(40, 70, 3), kRgbNames, Imf::ONE_LEVEL); },
+                true, true, 32},
+        CutFile{
+            "ExrTilesWithAlpha",
+            [] {
+              return testing::tiledFile(Imf::Header(8, 70), gradient(8, 70, 4), {"R", "G", "B", "A"}, Imf::ONE_LEVEL);
+            },
+            true, true, 32}),
+    testing::nameOfCut);
+
+/// What a renderer has written when it stops.
+///
+/// rows          of the picture that it has got to
+/// is_killed     whether it stops without writing its table of offsets
+Bytes unfinished(const Image& image, int rows, Imf::LineOrder order, bool is_killed) {
+  Imf::Header header = headerOf(image.width(), image.height(), Imf::ZIP_COMPRESSION, order);
+  testing::addChannels(header, kRgbNames);
+  ExrOutput stream;
+  Bytes bytes;
+  {
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(testing::frameOf(image, kRgbNames, header.dataWindow()));
+    file.writePixels(rows);
+    if (is_killed) bytes = stream.takeBytes();
+  }
+  return is_killed ? bytes : stream.takeBytes();
+}
+
+void expectBlackBut(const Image& image, const Image& whole, int begin, int end) {
+  for (int y = 0; y < whole.height(); ++y)
+    for (int x = 0; x < whole.width(); ++x)
+      ASSERT_EQ(image.texel(x, y)[1], y >= begin && y < end ? whole.texel(x, y)[1] : 0.0f) << x << ", " << y;
+}
+
+TEST(ExrMissingRows, OfARendererThatStoppedAreBlack) {
+  const Image image = gradient(7, 60, 3);
+  for (const bool is_killed : {false, true}) {
+    const DecodedImage upper = decoded(unfinished(image, 40, Imf::INCREASING_Y, is_killed));
+    EXPECT_THAT(upper.oddities, ElementsAre("ends before its last row: the 28 rows that are missing are black"));
+    expectBlackBut(upper.image, image, 0, 32);
+    // From below the first chunk has the twelve rows that do not fill one.
+    const DecodedImage lower = decoded(unfinished(image, 40, Imf::DECREASING_Y, is_killed));
+    EXPECT_THAT(lower.oddities, ElementsAre("ends before its last row: the 32 rows that are missing are black"));
+    expectBlackBut(lower.image, image, 32, 60);
+    const auto none = decodeExr(unfinished(image, 10, Imf::INCREASING_Y, is_killed));
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().message, HasSubstr("none of its rows is whole; the file was not written to its end"));
+  }
+}
+
+// Renderers of buckets write tiles in the order in which they are done.
+TEST(ExrMissingRows, BetweenOthersAreCounted) {
+  const Image image = gradient(40, 96, 3);
+  Imf::Header header = headerOf(40, 96, Imf::ZIP_COMPRESSION, Imf::RANDOM_Y);
+  header.setTileDescription(Imf::TileDescription(32, 32, Imf::ONE_LEVEL));
+  testing::addChannels(header, kRgbNames);
+  ExrOutput stream;
+  {
+    Imf::TiledOutputFile file(stream, header);
+    file.setFrameBuffer(testing::frameOf(image, kRgbNames, header.dataWindow()));
+    file.writeTiles(0, 1, 2, 2);
+    file.writeTiles(0, 1, 0, 0);
+    file.writeTile(1, 1);
+  }
+  const DecodedImage read = decoded(stream.takeBytes());
+  EXPECT_THAT(read.oddities, ElementsAre("was not written to its end: the 32 rows that are missing are black"));
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 40; ++x)
+      ASSERT_EQ(read.image.texel(x, y)[1], y / 32 == 1 ? 0.0f : image.texel(x, y)[1]) << x << ", " << y;
+}
+
+// Rows that the picture does not show are not missed.
+TEST(ExrMissingRows, OutsideTheDisplayWindowAreNotTold) {
+  const Image image = gradient(6, 8, 3);
+  Imf::Header header(Imath::Box2i({0, 0}, {5, 3}), Imath::Box2i({0, 0}, {5, 7}));
+  header.compression() = Imf::NO_COMPRESSION;
+  Bytes bytes = testing::foreignFile(header, image, kRgbNames);
+  const DecodedImage whole = decoded(bytes);
+  bytes.resize(bytes.size() - 100);
+  const DecodedImage cut = decoded(bytes);
+  EXPECT_EQ(cut.oddities, whole.oddities);
+  testing::expectSameBits(cut.image, whole.image);
+}
+
+// Its filter takes colours from the rows around.
+TEST(ExrMissingRows, OfLuminanceAndChromaAreRefused) {
+  Imf::Header header(12, 10);
+  header.compression() = Imf::NO_COMPRESSION;
+  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
+  ExrOutput stream;
+  {
+    Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC);
+    file.setFrameBuffer(texels.data(), 1, 12);
+    file.writePixels(5);
+  }
+  const auto refused = decodeExr(stream.takeBytes());
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("part of its luminance and chroma is missing"));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -8,6 +8,8 @@
 
 #include "cli/cli_testing.h"
 #include "cli/photo_sphere_testing.h"
+#include "mirrorball/codec/ldr/jxl_testing.h"
+#include "mirrorball/codec/ldr/png_testing.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/tiff/tiff_testing.h"
 #include "mirrorball/environment/projection/projection.h"
@@ -35,25 +37,6 @@ Image partOfPanorama(glm::ivec2 corner, glm::ivec2 size) {
       std::copy_n(&light.x, 3, picture.texel(x, y));
     }
   return picture;
-}
-
-/// A PNG with the packet in the chunk that the standard names for it, uncompressed.
-Bytes pngWithPacket(Bytes png, const std::string& packet) {
-  constexpr std::size_t kBehindHeader = 8 + 25;
-  std::string chunk = "iTXtXML:com.adobe.xmp" + std::string(5, '\0') + packet;
-  std::uint32_t sum = 0xffffffffu;  // CRC-32 of type and data: the PNG specification, annex D
-  for (const char byte : chunk) {
-    sum ^= static_cast<std::uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ (sum % 2 == 1 ? 0xedb88320u : 0u);
-  }
-  const auto bigEndian = [](std::uint32_t number) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
-    return bytes;
-  };
-  chunk = bigEndian(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + bigEndian(~sum);
-  png.insert(png.begin() + kBehindHeader, chunk.begin(), chunk.end());
-  return png;
 }
 
 /// The middle quarter, which is 2:1 by itself, and a strip of the whole circle, 4:1.
@@ -113,19 +96,27 @@ TEST_F(PhotoSphereTest, ItsPacketIsReadInEveryFormat) {
   const Image part = partOfPanorama({128, 64}, {256, 128});
   const std::string packet = packetWith(kHalf);
   write("plain.png", part);
-  write("half.png", pngWithPacket(bytes("plain.png"), packet));
+  const std::string keyword("XML:com.adobe.xmp\0", 18);
+  write("half.png", withPngChunk(bytes("plain.png"), "iTXt", keyword + std::string(4, '\0') + packet));
+  const Bytes zipped =
+      withPngChunk(bytes("plain.png"), "iTXt", keyword + std::string("\1\0\0\0", 4) + deflated(packet));
+  write("zipped.png", zipped);
+  const std::string raw_profile = "Raw profile type xmp" + std::string(2, '\0') + deflated(rawProfile("xmp", packet));
+  write("digits.png", withPngChunk(bytes("plain.png"), "zTXt", raw_profile));
   write("half.exr", part, {{"mirrorball:xmp", packet}});
   Image8 picture(256, 128, 3);
   std::fill(picture.samples().begin(), picture.samples().end(), std::uint8_t{128});
   write("half.webp", extendedWebp(picture, 0x04, "XMP ", Bytes(packet.begin(), packet.end())));
   write("half.tif", tiffFile({{TiffForm{.width = 256, .height = 128, .xmp = packet}, Bytes(256 * 128 * 3, 128)}}));
-  for (const std::string extension : {"png", "exr", "webp", "tif"}) {
-    succeed("convert half." + extension + " --from equirect:fill=black --to equirect -o " + extension + ".hdr");
-    EXPECT_EQ(image(extension + ".hdr").width(), 512) << extension;
-    EXPECT_GT(lightIn(extension + ".hdr", {0, 0, 1}).y, 0.1f) << extension;
-    EXPECT_EQ(lightIn(extension + ".hdr", {0, 0.01, -1}), glm::vec3(0.0f)) << extension;
+  write("half.jxl", jxlFile(picture, {.xmp = packet}));
+  for (const std::string name :
+       {"half.png", "zipped.png", "digits.png", "half.exr", "half.webp", "half.tif", "half.jxl"}) {
+    succeed("convert " + name + " --from equirect:fill=black --to equirect -o " + name + ".hdr");
+    EXPECT_EQ(image(name + ".hdr").width(), 512) << name;
+    EXPECT_GT(lightIn(name + ".hdr", {0, 0, 1}).y, 0.1f) << name;
+    EXPECT_EQ(lightIn(name + ".hdr", {0, 0.01, -1}), glm::vec3(0.0f)) << name;
   }
-  expectPanorama("png.hdr", {-1, 0.3, 1});
+  expectPanorama("half.png.hdr", {-1, 0.3, 1});
 }
 
 TEST_F(PhotoSphereTest, InfoSaysWhatIsCovered) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
@@ -30,6 +31,8 @@ struct FormatCodec {
   Result<Bytes> (*encode_picture)(const Image8& picture, const Metadata& metadata, OutputPrimaries primaries) = nullptr;
   /// The same with a gain map beside them, by which they hold linear light.
   Result<Bytes> (*encode_with_gain_map)(const Image8& picture, const Image& light, const Metadata& metadata) = nullptr;
+  /// XMP that a search of the file's bytes does not find: compressed_xmp.h.
+  std::string (*compressed_xmp)(std::span<const std::uint8_t> bytes) = nullptr;
   int picture_channels = 4;
 };
 

@@ -17,6 +17,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/coded_file.h"
+#include "mirrorball/codec/ldr/jxl_xmp.h"
 #include "mirrorball/image/upright.h"
 
 namespace mirrorball {
@@ -212,7 +213,10 @@ Result<CodedFile> decodeJxlCodes(Span bytes, CodeForm form) {
 }
 
 FormatCodec jxlCodec() {
-  return {.decode = decodeJxl, .decode_codes = decodeJxlCodes, .holds_integers = jxlHoldsIntegers};
+  return {.decode = decodeJxl,
+          .decode_codes = decodeJxlCodes,
+          .holds_integers = jxlHoldsIntegers,
+          .compressed_xmp = compressedXmpInJxl};
 }
 
 }  // namespace mirrorball

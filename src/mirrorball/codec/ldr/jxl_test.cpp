@@ -7,11 +7,13 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/compressed_xmp.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/jxl_testing.h"
+#include "mirrorball/codec/ldr/jxl_xmp.h"
 #include "mirrorball/image/upright.h"
 
 namespace mirrorball {
@@ -112,6 +114,20 @@ TEST(Jxl, IsUpright) {
     for (const auto& oddities : {turned->oddities, light->oddities})
       EXPECT_EQ(oddities.size(), orientation == 1 ? 0u : 1u);
   }
+}
+
+// Which libjxl's own encoder compresses by itself.
+TEST(Jxl, XmpThatBrotliCompressedIsFound) {
+  const std::string packet = "<x:xmpmeta>" + std::string(40000, 'x') + "</x:xmpmeta>";
+  const Bytes file = jxlFile(jxlPicture(3), JxlForm{.xmp = packet});
+  EXPECT_TRUE(decodeJxlCodes(file));
+  EXPECT_EQ(compressedXmp(file), packet);
+  EXPECT_EQ(compressedXmp(jxlFile(jxlPicture(3))), "");
+  for (std::size_t size = 0; size < 300; ++size) {
+    const std::string found = compressedXmpInJxl(std::span(file).first(size));
+    EXPECT_TRUE(found.empty() || found == packet) << size;
+  }
+  EXPECT_EQ(compressedXmpInJxl(std::span(file).first(40)), "") << "in the middle of the box";
 }
 
 INSTANTIATE_TEST_SUITE_P(Jxl, Damage,

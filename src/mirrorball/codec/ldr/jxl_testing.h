@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <type_traits>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ struct JxlForm {
   bool is_lossy = false;
   int orientation = 1;               ///< as cameras number them
   std::uint32_t extra_channels = 0;  ///< beside alpha, all black
+  std::string xmp = {};              ///< in a box that Brotli compresses; empty: none
 };
 
 /// A picture of 3 or 4 channels.
@@ -54,6 +56,11 @@ Bytes jxlFile(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
     JxlExtraChannelInfo extra;
     JxlEncoderInitExtraChannelInfo(JXL_CHANNEL_OPTIONAL, &extra);
     EXPECT_EQ(JxlEncoderSetExtraChannelInfo(encoder.get(), i, &extra), JXL_ENC_SUCCESS);
+  }
+  if (!form.xmp.empty()) {
+    EXPECT_EQ(JxlEncoderUseBoxes(encoder.get()), JXL_ENC_SUCCESS);
+    const auto* xmp = reinterpret_cast<const std::uint8_t*>(form.xmp.data());
+    EXPECT_EQ(JxlEncoderAddBox(encoder.get(), "xml ", xmp, form.xmp.size(), JXL_TRUE), JXL_ENC_SUCCESS);
   }
   JxlEncoderFrameSettings* settings = JxlEncoderFrameSettingsCreate(encoder.get(), nullptr);
   if (form.is_lossy)

@@ -15,6 +15,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/ldr/png_chunks.h"
 #include "mirrorball/codec/ldr/png_color.h"
+#include "mirrorball/codec/ldr/png_xmp.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/missing_rows.h"
 #include "mirrorball/codec/within_memory.h"
@@ -313,6 +314,8 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputP
   return std::move(writer.context.out);
 }
 
-FormatCodec pngCodec() { return {.decode_codes = decodePng, .encode_picture = encodePng}; }
+FormatCodec pngCodec() { 
+  return {.decode_codes = decodePng, .encode_picture = encodePng, .compressed_xmp = compressedXmpInPng};
+}
 
 }  // namespace mirrorball

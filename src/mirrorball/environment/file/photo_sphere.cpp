@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/compressed_xmp.h"
 
 namespace mirrorball {
 namespace {
@@ -84,8 +85,11 @@ std::optional<PhotoSphereFields> PhotoSphereFields::in(std::span<const std::uint
   const bool is_small = all.size() <= 2 * kEnd_bytes;
   auto properties = packetIn(is_small ? all : all.substr(0, kEnd_bytes));
   if (!properties && !is_small) properties = packetIn(all.substr(all.size() - kEnd_bytes));
+  if (properties) return PhotoSphereFields(std::move(*properties), nullptr);
+  auto unpacked = std::make_shared<const std::string>(compressedXmp(bytes));
+  properties = packetIn(*unpacked);
   if (!properties) return std::nullopt;
-  return PhotoSphereFields(std::move(*properties));
+  return PhotoSphereFields(std::move(*properties), std::move(unpacked));
 }
 
 std::optional<std::string_view> PhotoSphereFields::text(std::string_view name) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,8 +19,8 @@ namespace mirrorball {
 /// The fields that a Photo Sphere has in XMP, in the namespace GPano.
 class PhotoSphereFields {
  public:
-  /// Finds them in a file of any format that stores the packet as plain text, as JPEG (its extension of XMP too), PNG
-  /// (uncompressed), WebP, TIFF and AVIF do.
+  /// Finds them in a file of any format that stores the packet as plain text, as JPEG (its extension of XMP too), WebP,
+  /// TIFF and AVIF do, and compressed in PNG and JPEG XL (codec/compressed_xmp.h).
   ///
   /// bytes    of a file, of which the first and the last MiB are looked through, or readEnds'; must outlive this
   /// returns  nothing where no packet has fields of the namespace
@@ -40,8 +41,10 @@ class PhotoSphereFields {
   Result<int> texels(std::string_view name) const;
 
  private:
-  explicit PhotoSphereFields(XmpProperties properties) : properties_(std::move(properties)) {}
+  PhotoSphereFields(XmpProperties properties, std::shared_ptr<const std::string> unpacked)
+      : unpacked_(std::move(unpacked)), properties_(std::move(properties)) {}
 
+  std::shared_ptr<const std::string> unpacked_;  ///< what the properties lie in, if the packet was compressed
   XmpProperties properties_;
 };
 

@@ -18,7 +18,7 @@ FormDoubt settleFaces(const EnvironmentMap& images, std::span<const CubeArrangem
     recognition.form.arrangement = reading.arrangement;
     recognition.told_by += ", and how its edges meet";
   } else if (reading.fit.jumps()) {
-    return makeJumpDoubt(recognition);
+    return makeCubeDoubt(recognition, kFacesJump);
   }
   return {};
 }
@@ -41,9 +41,9 @@ void add(const NonFinite& more, NonFinite& total) {
   total.count += more.count;
 }
 
-FormDoubt makeJumpDoubt(const Recognition& recognition) {
-  FormDoubt doubt{"taken as " + textOf(recognition.form) + " (" + recognition.told_by +
-                  "), but its faces do not meet at their edges: a photograph is no map"};
+FormDoubt makeCubeDoubt(const Recognition& recognition, std::string_view reason) {
+  FormDoubt doubt{"taken as " + textOf(recognition.form) + " (" + recognition.told_by + "), but " +
+                  std::string(reason) + ": a photograph is no map"};
   if (recognition.form.layout == CubeLayout::hcross) doubt.other_forms.emplace_back("lecture");
   if (recognition.form.layout == CubeLayout::vcross) doubt.other_forms.emplace_back("vcross:turn=-z");
   doubt.other_forms.emplace_back("cube:as-seen");

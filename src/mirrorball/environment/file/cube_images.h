@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "mirrorball/environment/file/load.h"
 
@@ -21,8 +22,14 @@ Result<void> repairImages(ImageSet& images);
 /// Counts another image's bad texels in.
 void add(const NonFinite& more, NonFinite& total);
 
-/// The remark on a cube whose faces do not meet.
-FormDoubt makeJumpDoubt(const Recognition& recognition);
+/// What speaks against a picture's or six images' being a cube.
+inline constexpr std::string_view kFacesJump = "its faces do not meet at their edges";
+inline constexpr std::string_view kCellsAreFilled = "light fills the cells that a cross leaves empty";
+
+/// The remark on a cube that may be a photograph.
+///
+/// reason   one of these
+FormDoubt makeCubeDoubt(const Recognition& recognition, std::string_view reason);
 
 /// A cube whose six images are there.
 ///

@@ -73,7 +73,7 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
     MIRRORBALL_TRY(other, other_map(form));
     if (edgeFit(other).meets()) return take(form, std::move(other));
   }
-  return reading.fit.isUnlikely() ? makeJumpDoubt(recognition) : FormDoubt{};
+  return reading.fit.isUnlikely() ? makeCubeDoubt(recognition, kFacesJump) : FormDoubt{};
 }
 
 /// Takes one eye's half of a stereo picture. A window in the whole means nothing for it.
@@ -131,6 +131,7 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
                    return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
   if (is_photograph && !edge_doubt.message.empty()) return tl::unexpected<Error>(photographError(size, recognition));
+  if (is_photograph) edge_doubt = makeCubeDoubt(recognition, kCellsAreFilled);
   if (doubt.message.empty()) doubt = std::move(edge_doubt);
   if (const auto& tilt = meaning.tilt) {
     MIRRORBALL_TRY(level, levelled(std::move(map), tilt->pitch_deg, tilt->roll_deg, recognition.form.centre));

@@ -200,6 +200,13 @@ TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
   EXPECT_EQ(refused.error().code, ErrorCode::bad_shape);
   EXPECT_THAT(refused.error().message, HasSubstr("{option:from} vcross reads it as a cube all the same"));
   EXPECT_TRUE(loadEnvironment(path("upright.png"), {.from = *formHintNamed("vcross")}));
+  // Where its faces meet by chance, as dim ones do.
+  Image dim(128, 96, 3);
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 128; ++x)
+      std::fill_n(dim.texel(x, y), 3, 0.5f + 0.05f * std::sin(float(x)) * std::cos(0.9f * float(y)));
+  ASSERT_TRUE(writeImage(path("dim.exr"), dim));
+  EXPECT_THAT(loadEnvironment(path("dim.exr"))->doubt.message, HasSubstr("light fills the cells"));
 }
 
 TEST_F(LoadTest, SixFacesAreOneCube) {

@@ -151,6 +151,21 @@ bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
   return true;
 }
 
+/// Whether a picture's halves, of which one is named, are nearly equal, and not in many other ways too.
+bool hasEqualHalves(const Image& picture, PictureHalf half) {
+  constexpr glm::ivec2 kCells(48, 24);
+  const glm::ivec2 whole(picture.width(), picture.height());
+  const glm::ivec2 size = sizeOfHalf(whole, half);
+  if (size.x < kCells.x || size.y < kCells.y) return false;
+  const std::vector<float> first = cellsIn(picture, {0, 0}, size, kCells);
+  const std::vector<float> second = cellsIn(picture, whole - size, size, kCells);
+  // Sky and ground differ. Stripes, tiles and one colour are equal in many other ways too.
+  const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
+  const float within = difference({first.begin(), middle}, {middle, first.end()});
+  const float between = difference(first, second);
+  return between < 0.08f && between < 0.3f * within;
+}
+
 /// Whether all texels are alike.
 bool isEven(const Image& picture) {
   const auto first = picture.samples().first(static_cast<std::size_t>(picture.channels()));
@@ -186,18 +201,10 @@ bool foldsAtEdges(const Image& picture) {
 }
 
 std::optional<PictureHalf> equalHalves(const Image& picture) {
-  constexpr glm::ivec2 kCells(48, 24);
   const glm::ivec2 whole(picture.width(), picture.height());
   const PictureHalf half = whole.x == whole.y ? PictureHalf::top : PictureHalf::left;
   const glm::ivec2 size = sizeOfHalf(whole, half);
-  if (size.x != 2 * size.y || size.y < kCells.y) return std::nullopt;
-  const std::vector<float> first = cellsIn(picture, {0, 0}, size, kCells);
-  const std::vector<float> second = cellsIn(picture, whole - size, size, kCells);
-  // Sky and ground differ. Stripes, tiles and one colour are equal in many other ways too.
-  const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
-  const float within = difference({first.begin(), middle}, {middle, first.end()});
-  const float between = difference(first, second);
-  return between < 0.08f && between < 0.3f * within ? std::optional(half) : std::nullopt;
+  return size.x == 2 * size.y && hasEqualHalves(picture, half) ? std::optional(half) : std::nullopt;
 }
 
 bool fillsEmptyCells(const Image& picture, CubeLayout cross) {
@@ -214,6 +221,11 @@ Result<FormDoubt> settleByContent(const Image& picture, Recognition& recognition
                 "is 2:1 and shows two discs on black, as a camera with two fisheye lenses writes them before they are "
                 "stitched: stitch it to a panorama; {option:from} paraboloid reads a dual paraboloid map, "
                 "{option:from} equirect a panorama");
+  if (form.projection == Projection::equirect && hasEqualHalves(picture, PictureHalf::left))
+    return FormDoubt{
+        "is 2:1 with two nearly equal halves, as the pictures of half the sphere for two eyes are: taken as one "
+        "panorama",
+        {"equirect:eye=left,fov=180x180"}};
   // Light of one colour is the same in every form.
   if (form.projection != Projection::sphere || isEven(picture)) return FormDoubt{};
   if (showsDisc(picture))

@@ -141,6 +141,9 @@ TEST(PictureContent, WhatAShapeLeavesOpenIsSettledOrRemarked) {
   EXPECT_EQ(recognition.form.projection, Projection::sphere);
   EXPECT_EQ(settled(Image(64, 64, 3, 0.5f), recognition).message, "") << "the same light in every form";
   EXPECT_EQ(settled(pictureOfLight(Projection::equirect, 128), recognition).message, "");
+  const Image front = convert(Environment(landscape, 64), Projection::cube, 128)->face(4);
+  EXPECT_THAT(settled(joined(front, front, false), recognition).other_forms,
+              ElementsAre("equirect:eye=left,fov=180x180"));
   recognition = *recognize(256, 128, {});
   const auto refused = settleByContent(pictureOfLight(Projection::paraboloid, 128), recognition);
   ASSERT_FALSE(refused);

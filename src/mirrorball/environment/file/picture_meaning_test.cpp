@@ -278,6 +278,12 @@ TEST_F(CompletedPanoramaTest, OneEyeOfTwoIsLoaded) {
     EXPECT_EQ(loaded->environment.map()->extent(), glm::ivec2(256, 128));
     EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(light));
   }
+  ASSERT_TRUE(writeImage(path, Image(256, 128, 3, 0.5f)));
+  const auto half = loadEnvironment(path, {.from = *formHintNamed("equirect:eye=left,fov=180x180")});
+  ASSERT_TRUE(half) << half.error().message;
+  EXPECT_EQ(half->environment.map()->extent(), glm::ivec2(256, 128));
+  EXPECT_EQ(half->environment.radiance({0, 0, -1}), glm::vec3(0.0f));
+  ASSERT_TRUE(writeImage(path, both));
   EXPECT_EQ(loadEnvironment(path, {.from = *formHintNamed("equirect:eye=left")}).error().code, ErrorCode::bad_shape);
 }
 

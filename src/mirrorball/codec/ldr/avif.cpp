@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <avif/avif.h>
 
@@ -13,6 +15,7 @@
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/av1_size.h"
 #include "mirrorball/codec/ldr/coded_file.h"
+#include "mirrorball/codec/picture_window.h"
 
 namespace mirrorball {
 namespace {
@@ -82,6 +85,14 @@ bool canBeTriedByAom(const avifDecoder& decoder, Span bytes) {
          avifCodecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE) != nullptr;
 }
 
+std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
+/// For an aperture that cannot be meant.
+std::optional<PictureWindow> withoutAperture(std::vector<std::string>& oddities) {
+  oddities.emplace_back("states a clean aperture (clap) that does not lie in the picture: read without it");
+  return std::nullopt;
+}
+
 /// As cameras number it. HEIF turns a picture first, against the clock, and then mirrors it: its upper half to the
 /// lower, or its left to the right.
 int cameraOrientation(const avifImage& image) {
@@ -90,6 +101,41 @@ int cameraOrientation(const avifImage& image) {
   const int quarters = (image.transformFlags & AVIF_TRANSFORM_IROT) != 0 ? image.irot.angle & 3 : 0;
   if ((image.transformFlags & AVIF_TRANSFORM_IMIR) == 0) return kTurned[quarters];
   return kTurnedAndMirrored[image.imir.mode == 0 ? 0 : 1][quarters];
+}
+
+/// The part of the picture that is to be shown, before it is turned; nothing: all of it.
+///
+/// errors   unsupported: its edges are between texels
+/// from     ISO/IEC 14496-12:2015, 12.1.4.3: the aperture's size, and how far its middle lies from the picture's
+Result<std::optional<PictureWindow>> cleanAperture(const avifImage& image, std::vector<std::string>& oddities) {
+  if ((image.transformFlags & AVIF_TRANSFORM_CLAP) == 0) return std::nullopt;
+  const avifCleanApertureBox& clap = image.clap;
+  PictureWindow window{.size = {int(image.width), int(image.height)}};
+  struct Side {
+    std::uint32_t size, size_divisor, offset, offset_divisor;
+  };
+  const Side sides[2]{{clap.widthN, clap.widthD, clap.horizOffN, clap.horizOffD},
+                      {clap.heightN, clap.heightD, clap.vertOffN, clap.vertOffD}};
+  for (int i = 0; i < 2; ++i) {
+    const std::int64_t divisor = sides[i].size_divisor, offset_divisor = sides[i].offset_divisor;
+    const std::int64_t size = divisor > 0 ? sides[i].size / divisor : 0;
+    if (size < 1 || size > window.size[i] || offset_divisor == 0) return withoutAperture(oddities);
+    // Twice the distance of its edge from the picture's, times the divisor.
+    const std::int64_t doubled =
+        2 * std::int64_t{static_cast<std::int32_t>(sides[i].offset)} + offset_divisor * (window.size[i] - size);
+    if (sides[i].size % divisor != 0 || doubled % (2 * offset_divisor) != 0)
+      return fail(ErrorCode::unsupported,
+                  "is to be cut (clap) between texels, which would blur it; save it cut to whole texels");
+    const std::int64_t edge = doubled / (2 * offset_divisor);
+    if (edge < 0 || edge + size > window.size[i]) return withoutAperture(oddities);
+    window.whole[i] = int(size);
+    window.corner[i] = -int(edge);
+  }
+  if (window.whole == window.size) return std::nullopt;
+  oddities.push_back("is cut to " + sizeText(window.whole) + " of its " + sizeText(window.size) + " texels at (" +
+                     std::to_string(-window.corner.x) + ", " + std::to_string(-window.corner.y) +
+                     "), as its clean aperture (clap) says");
+  return window;
 }
 
 template <typename Sample>
@@ -133,13 +179,17 @@ Result<CodedFile> decodeAvif(Span bytes, CodeForm form) {
   MIRRORBALL_TRY(decoder, parsedAvif(bytes));
   MIRRORBALL_TRY(picture, pictureOf(decoder, form, bytes));
   const avifImage& image = *decoder->image;
+  std::vector<std::string> oddities;
+  MIRRORBALL_TRY(aperture, cleanAperture(image, oddities));
+  if (aperture) std::visit([&](auto& codes) { codes = placedInWindow(codes, *aperture); }, picture);
   CodedColor color = image.icc.size > 0 ? codedColor(readIccProfile({image.icc.data, image.icc.size}))
                                         : codedColor(image.colorPrimaries, image.transferCharacteristics);
   return CodedFile{.codes = std::move(picture),
                    .color = std::move(color),
                    .orientation = cameraOrientation(image),
                    .orientation_source = "header",
-                   .format = "AVIF, " + std::to_string(image.depth) + " bits"};
+                   .format = "AVIF, " + std::to_string(image.depth) + " bits",
+                   .oddities = std::move(oddities)};
 }
 
 FormatCodec avifCodec() { return {.decode_codes = decodeAvif}; }

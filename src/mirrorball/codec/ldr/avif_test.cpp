@@ -23,8 +23,10 @@ namespace {
 
 using testing::avifFile;
 using testing::AvifForm;
+using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 Image8 avifPicture(int channels) { return pictureFromLinear(testing::gradient(13, 11, channels), channels); }
 
@@ -84,6 +86,42 @@ TEST(Avif, IsUpright) {
     EXPECT_EQ(both->codes.texel(3, 1)[0], last.texel(3, 1)[0]) << quarters;
     EXPECT_EQ(both->oddities.size(), 1u);
     expected = upright(std::move(expected), 8);
+  }
+}
+
+// 13 x 11 texels, of which 6 x 5 are shown: their middle is half a texel left of the picture's, and a texel below it.
+constexpr avifCleanApertureBox kAperture{6, 1, 5, 1, std::uint32_t(-1), 2, 1, 1};
+
+TEST(Avif, ItsCleanApertureIsThePicture) {
+  const Image8 source = avifPicture(3);
+  ASSERT_EQ(glm::ivec2(source.width(), source.height()), glm::ivec2(13, 11));
+  const auto cut = decodeCodes(avifFile(source, AvifForm{.clap = kAperture}));
+  ASSERT_TRUE(cut) << cut.error().message;
+  ASSERT_EQ(glm::ivec2(cut->codes.width(), cut->codes.height()), glm::ivec2(6, 5));
+  EXPECT_EQ(cut->codes.texel(0, 0)[0], source.texel(3, 4)[0]);
+  EXPECT_EQ(cut->codes.texel(5, 4)[1], source.texel(8, 8)[1]);
+  EXPECT_THAT(cut->oddities,
+              ElementsAre("is cut to 6x5 of its 13x11 texels at (3, 4), as its clean aperture (clap) says"));
+  // It is cut first, and then turned.
+  const auto turned = decodeTexture(avifFile(source, AvifForm{.quarters = 1, .clap = kAperture}));
+  ASSERT_TRUE(turned);
+  ASSERT_EQ(turned->width(), 5);
+  EXPECT_EQ(turned->texel(0, 0)[0], source.texel(8, 4)[0]);
+  const avifCleanApertureBox whole{13, 1, 11, 1, 0, 1, 0, 1};
+  EXPECT_THAT(decodeCodes(avifFile(source, AvifForm{.clap = whole}))->oddities, IsEmpty());
+}
+
+TEST(Avif, ACleanApertureBetweenTexelsIsRefusedAndOneBeyondThePictureIgnored) {
+  const Image8 source = avifPicture(3);
+  for (const avifCleanApertureBox& between : {avifCleanApertureBox{6, 1, 5, 1, 0, 1, 0, 1}, {13, 2, 5, 1, 0, 1, 0, 1}})
+    EXPECT_THAT(decodeImage(avifFile(source, AvifForm{.clap = between})).error().message,
+                HasSubstr("between texels, which would blur it; save it cut to whole texels"));
+  for (const avifCleanApertureBox& beyond :
+       {avifCleanApertureBox{15, 1, 11, 1, 0, 1, 0, 1}, {5, 1, 5, 1, 9, 1, 0, 1}, {5, 0, 5, 1, 0, 1, 0, 1}}) {
+    const auto read = decodeCodes(avifFile(source, AvifForm{.clap = beyond}));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->codes.width(), 13);
+    EXPECT_THAT(read->oddities, ElementsAre(HasSubstr("does not lie in the picture")));
   }
 }
 

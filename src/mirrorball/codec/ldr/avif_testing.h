@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <avif/avif.h>
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ struct AvifForm {
   int transfer = 13;
   int quarters = 0;      ///< turned so often against the clock when it is shown
   bool mirrors = false;  ///< then its left is on the right
+  std::optional<avifCleanApertureBox> clap = {};
 };
 
 /// A picture of 3 or 4 channels without loss, as red, green and blue.
@@ -37,6 +39,10 @@ Bytes avifFile(const ImageOf<Sample>& picture, const AvifForm& form = {}) {
   if (form.mirrors) {
     image->transformFlags |= AVIF_TRANSFORM_IMIR;
     image->imir.mode = 1;
+  }
+  if (form.clap) {
+    image->transformFlags |= AVIF_TRANSFORM_CLAP;
+    image->clap = *form.clap;
   }
   avifRGBImage rgb;
   avifRGBImageSetDefaults(&rgb, image.get());

@@ -208,13 +208,14 @@ TEST(GltfDamage, RefusesWhatItCannotRead) {
   expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"]}",
                       "extensionsRequired names 'EXT_mesh_gpu_instancing'", ErrorCode::unsupported);
   expectDamageRefused("{}", "asset is missing");
-  expectDamageRefused("", "no valid JSON");
+  expectDamageRefused("", "is not valid JSON at byte 1 of it, where it ends");
   expectDamageRefused("[1,2]", "is no object");
   expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":7}", "nodes is no array");
   expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[7]}", "nodes[0] is no object");
-  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":1e999}]}", "number out of range");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":1e999}]",
+                      "its JSON holds a number out of range; the file is damaged");
   expectDamageRefused("{\"asset\":{\"version\":\"2.0\"}}", "shows no triangles");
-  expectDamageRefused(std::string(1000000, '['), "no valid JSON");
+  expectDamageRefused(std::string(1000000, '['), "is not valid JSON");
   const std::string deep = std::string(200000, '[') + std::string(200000, ']');
   expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + "}", "shows no triangles");
 }

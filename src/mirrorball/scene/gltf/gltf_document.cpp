@@ -265,32 +265,47 @@ TexCoordSets texCoordSets(std::span<const FileMaterial> materials) {
   return {*used.begin(), *std::next(used.begin())};
 }
 
+/// Parses a text that is not JSON as what it is once it is mended.
+///
+/// problem   what is wrong with it, the continuation of "NAME: "
+/// needed    gets the memory that it takes
+Result<nlohmann::json> parseMended(std::string_view text, const std::string& problem, JsonMemory& needed,
+                                   Remarks& remarks) {
+  MIRRORBALL_TRY_VOID(checkMemory(mostMended(text.size())));
+  const std::optional<MendedJson> mended = mendJson(text);
+  if (!mended) return fail(ErrorCode::bad_file, problem + "; the file is damaged or not glTF");
+  needed = jsonMemory(mended->text);
+  MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing + mended->text.size()));
+  auto parsed = nlohmann::json::parse(mended->text, nullptr, /*allow_exceptions=*/false);
+  if (parsed.is_discarded()) return fail(ErrorCode::bad_file, problem + "; the file is damaged or not glTF");
+  remarks.tell(problem + ": " + mended->how);
+  return parsed;
+}
+
 /// Parses a text as JSON, and as what is JSON once it is mended.
-Result<nlohmann::json> parseJson(std::string_view text, Remarks& remarks) {
+///
+/// needed   gets the memory that it takes
+Result<nlohmann::json> parseJson(std::string_view text, JsonMemory& needed, Remarks& remarks) {
+  needed = jsonMemory(text);
+  MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing));
+  std::string problem;
   try {
     return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
-    const std::optional<std::string> mended = mendedJson(text);
-    auto parsed = mended ? nlohmann::json::parse(*mended, nullptr, /*allow_exceptions=*/false)
-                         : nlohmann::json(nlohmann::json::value_t::discarded);
-    if (parsed.is_discarded())
-      return fail(ErrorCode::bad_file,
-                  "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
-    remarks.tell("is not valid JSON at byte " + std::to_string(error.byte) +
-                 " of it: numbers that are missing, NaN or infinite, and commas too many, are read as no value");
-    return parsed;
+    problem = "is not valid JSON at byte " + std::to_string(error.byte) + " of it";
+    if (error.byte > text.size()) problem += ", where it ends";
   } catch (const nlohmann::json::exception&) {
-    return fail(ErrorCode::bad_file, "its JSON holds a number out of range");
+    problem = "its JSON holds a number out of range";
   }
+  return parseMended(text, problem, needed, remarks);
 }
 
 }  // namespace
 
 Result<Document> parseDocument(std::string_view text, MemoryBudget& budget, Remarks& remarks) {
   MemoryShare share(budget);
-  const JsonMemory needed = jsonMemory(text);
-  MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing));
-  MIRRORBALL_TRY(parsed, parseJson(text, remarks));
+  JsonMemory needed;
+  MIRRORBALL_TRY(parsed, parseJson(text, needed, remarks));
   JsonProblem problem;
   const JsonReader root(&parsed, "", problem);
   MIRRORBALL_TRY_VOID(checkVersion(root, remarks));

@@ -35,7 +35,7 @@ class Utf16 {
 };
 
 /// The units of such a text, its mark among them; nothing for other bytes.
-std::optional<Utf16> unitsOf(std::span<const std::uint8_t> bytes) {
+std::optional<Utf16> findUnits(std::span<const std::uint8_t> bytes) {
   for (const bool is_big : {false, true}) {
     const Utf16 units(bytes, is_big);
     if (units.size() > 1 && units.at(0) == kMark && units.isAscii(1)) return units;
@@ -91,11 +91,11 @@ void appendUtf8(std::string& text, char32_t point) {
   }
 }
 
-bool isUtf16(std::span<const std::uint8_t> bytes) { return unitsOf(bytes).has_value(); }
+bool isUtf16(std::span<const std::uint8_t> bytes) { return findUnits(bytes).has_value(); }
 
 std::string utf8FromUtf16(std::span<const std::uint8_t> bytes) {
   std::string text;
-  const std::optional<Utf16> units = unitsOf(bytes);
+  const std::optional<Utf16> units = findUnits(bytes);
   if (!units) return text;
   text.reserve(bytes.size() / 2);
   for (std::size_t i = units->at(0) == kMark ? 1 : 0; i < units->size(); ++i) {

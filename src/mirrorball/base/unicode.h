@@ -25,7 +25,7 @@ void appendUtf8(std::string& text, char32_t point);
 /// ASCII, or of four characters of ASCII without that mark.
 bool isUtf16(std::span<const std::uint8_t> bytes);
 
-/// What is to be told of such a file, as the continuation of "NAME: ".
+/// What is odd about such a file, as the continuation of "NAME: ".
 inline constexpr std::string_view kIsUtf16 = "is in UTF-16, and is read as the UTF-8 that it stands for";
 
 /// The most bytes that utf8FromUtf16() makes of so many.

@@ -137,6 +137,7 @@ std::optional<Error> foreignFileError(FileUse wanted, std::span<const std::uint8
   const std::string markup = markupIn(text);
   const auto* const format =
       std::find_if(kForeignFormats.begin(), kForeignFormats.end(), [&](const ForeignFormat& known) {
+        if (wanted == FileUse::any && known.use != FileUse::any) return false;
         return fits(known, text, markup) || (!extension.empty() && contains(split(known.extensions, ' '), extension));
       });
   if (format == kForeignFormats.end()) return std::nullopt;

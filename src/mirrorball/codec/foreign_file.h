@@ -23,7 +23,7 @@ inline constexpr std::size_t kForeignFileBytes = 1024;
 /// The error for a file of another kind than those that are read, with what helps: "is a Git LFS pointer, which is not
 /// read; fetch …". Nothing where its kind is not known.
 ///
-/// wanted     a picture or a model
+/// wanted     a picture or a model; any: only what stands for another file is named
 /// begin      its first kForeignFileBytes, or all there are
 /// extension  "fbx", of kinds without first bytes of their own; empty: the bytes alone tell
 std::optional<Error> foreignFileError(FileUse wanted, std::span<const std::uint8_t> begin,

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/base/unicode.h"
 #include "mirrorball/codec/foreign_file.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
@@ -186,6 +188,17 @@ bool someFaceInwards(const Scene& scene) {
   });
 }
 
+/// The bytes of a model's file; of a text in UTF-16 those of the same in UTF-8.
+Result<Bytes> readModelFile(const std::string& path, bool& is_utf16) {
+  MIRRORBALL_TRY(bytes, readFile(path));
+  if (bytes.empty()) return fail(ErrorCode::bad_file, path + ": is empty");
+  is_utf16 = isUtf16(bytes);
+  if (!is_utf16) return bytes;
+  MIRRORBALL_TRY_VOID(withName(path, checkMemory(mostUtf8(bytes.size()))));
+  const std::string text = utf8FromUtf16(bytes);
+  return Bytes(text.begin(), text.end());
+}
+
 }  // namespace
 
 std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
@@ -226,8 +239,8 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     if (std::optional<Error> foreign = foreignFileError(FileUse::model, begin, extensionOf(name_or_path)))
       return tl::unexpected<Error>(withName(name_or_path, std::move(*foreign)));
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
-    MIRRORBALL_TRY(bytes, readFile(name_or_path));
-    if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
+    bool is_utf16 = false;
+    MIRRORBALL_TRY(bytes, readModelFile(name_or_path, is_utf16));
     auto read = withName(name_or_path, format->decode(bytes, name_or_path, options));
     // A model is not smaller in a smaller picture.
     if (!read && read.error().fix_hint == FixHint::raise_memory_or_shrink)
@@ -236,6 +249,7 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     findNormalZeros(decoded, name_or_path);
     MIRRORBALL_TRY_VOID(withName(name_or_path, drawAboutMiddle(decoded)));
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
+    if (is_utf16) scene.warnings.push_back(name_or_path + ": " + std::string(kIsUtf16));
     if (const ModelFormat* named = formatOfName(name_or_path); named != nullptr && named->decode != format->decode)
       scene.warnings.push_back(name_or_path + ": is " + std::string(format->name) + " by its first bytes, and read so");
     if (!hasArea(scene))

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/tangents.h"
 #include "test_data.h"
@@ -54,6 +55,37 @@ TEST(LoadModel, WhatStandsInAModelsPlaceIsNamed) {
     EXPECT_THAT(refusal("i3dm"), ::testing::HasSubstr("take the .glb out of it by `npx 3d-tiles-tools i3dmToGlb`"));
     EXPECT_THAT(refusal("GIF89a"), ::testing::HasSubstr("is a GIF, a picture and no model"));
   }
+}
+
+// As Notepad and PowerShell write it, with its byte-order mark and without.
+TEST(LoadModel, TextsMayBeInUtf16) {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string facet = "solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid a\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  testing::GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const std::pair<const char*, std::string> files[] = {
+      {"a.obj", square}, {"a.stl", facet}, {"a.ply", ply}, {"a.gltf", maker.gltf(R"({"attributes":{"POSITION":0}})")}};
+  for (const auto& [name, text] : files)
+    for (const bool is_big : {false, true})
+      for (const bool has_mark : {false, true}) {
+        Bytes bytes;
+        const auto put = [&](unsigned unit) {
+          bytes.push_back(static_cast<std::uint8_t>(is_big ? unit >> 8 : unit & 0xFF));
+          bytes.push_back(static_cast<std::uint8_t>(is_big ? unit & 0xFF : unit >> 8));
+        };
+        if (has_mark) put(0xFEFF);
+        for (const char letter : text) put(static_cast<unsigned char>(letter));
+        const std::string path = ::testing::TempDir() + "load_model_utf16_" + name;
+        ASSERT_TRUE(writeFile(path, bytes));
+        const Result<Scene> scene = loadModel(path);
+        ASSERT_TRUE(scene) << scene.error().message;
+        EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+        EXPECT_THAT(scene->warnings,
+                    ::testing::ElementsAre(path + ": is in UTF-16, and is read as the UTF-8 that it stands for"));
+      }
 }
 
 using ::testing::HasSubstr;

@@ -166,8 +166,9 @@ TEST(GltfOddJson, WhatIsNullIsNotThere) {
 }
 
 TEST(GltfOddJson, NumbersThatAreNoneAreRead) {
-  for (const char* bounds : {R"([NaN,-Infinity,0])", "[nan,-inf,inf]", "[-nan(ind),nan,0]", "[, , ]", "[,,1.0]",
-                             "[1,2,3,]", "[1 , NaN , ]"}) {
+  for (const char* bounds :
+       {R"([NaN,-Infinity,0])", "[nan,-inf,inf]", "[-nan(ind),nan,0]", "[, , ]", "[,,1.0]", "[1,2,3,]", "[1 , NaN , ]",
+        "[1.#INF,-1.#IND,1.#QNAN]", "[1.#IND00,NAN,+INF]", "[1e+400,-1E400,0]"}) {
     GltfMaker maker;
     maker.accessor(kPlaces, "VEC3", R"(,"min":)" + std::string(bounds) + R"(,"max":[1,1,0])");
     expectTold(decodedOdd(maker.gltf(kPlain)),
@@ -178,8 +179,72 @@ TEST(GltfOddJson, NumbersThatAreNoneAreRead) {
       decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"name":"NaN \" ,,] inf"}],"extras":[NaN])"));
   expectTold(named, "is not valid JSON at byte ");
   EXPECT_EQ(named->rig.nodes.at(0).name, "NaN \" ,,] inf");
-  for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity", ",", "]", "{\"a\",}", "-", "i"})
-    EXPECT_THAT(decodedOdd(std::string(broken)).error().message, HasSubstr("is no valid JSON")) << broken;
+  for (const char* broken : {"{\"a\":NaN", "NaN\"", "{\"a\":\"NaN\\", "[Infinity", ",", "]", "{\"a\",}", "-", "i",
+                             "{//", "{/*", "/", "[1,/*", "{\"a\\", "[+]", "[.]"})
+    EXPECT_THAT(decodedOdd(std::string(broken)).error().message, HasSubstr("is not valid JSON")) << broken;
+}
+
+// As C's printf and other languages' have them.
+TEST(GltfOddJson, NumbersOfOtherLanguagesAreReadAsJsonHasThem) {
+  const auto readPlace = [](const std::string& numbers) {
+    const Result<Scene> scene = decodedOdd(
+        triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"translation":)" + numbers + R"(,"scale":[01,1.,+1e0]}])"));
+    expectTold(scene, "numbers written as '+1', '.5' or '01' are read as 1, 0.5 and 1");
+    return scene ? scene->rig.nodes.at(0).place.translation : glm::dvec3(0.0);
+  };
+  EXPECT_EQ(readPlace("[+1,.5,02]"), glm::dvec3(1, 0.5, 2));
+  EXPECT_EQ(readPlace("[-.5,3.,-03.250]"), glm::dvec3(-0.5, 3, -3.25));
+  EXPECT_EQ(readPlace("[5.e-1,00,-00.5E+1]"), glm::dvec3(0.5, 0, -5));
+}
+
+TEST(GltfOddJson, CommentsArePassedOver) {
+  const std::string commented = R"("extras":["a // b","/* c */",1, // d, "
+2, /* e ] */ 3, /**/ // f
+],)";
+  const Result<Scene> scene = decodedOdd("/* made by hand */ " + triangleFile().gltf(kPlain, commented + R"("x":0)"));
+  expectTold(scene, "is not valid JSON at byte 1 of it: ");
+  expectTold(scene, "comments are passed over");
+}
+
+// Names as programs write them that put text together by hand.
+TEST(GltfOddJson, StringsAreReadThatAreNotEncoded) {
+  const auto readName = [](const std::string& name, const char* remark) {
+    const Result<Scene> scene =
+        decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"name":")" + name + R"("}])"));
+    expectTold(scene, remark);
+    return scene ? scene->rig.nodes.at(0).name : "";
+  };
+  EXPECT_EQ(readName("B\xFC"
+                     "chse \xC3\xA9",
+                     "letters that are not of UTF-8 are read as Latin-1"),
+            "B\xC3\xBC"
+            "chse \xC3\xA9");
+  const char* const as_letters = "control characters and '\\' in its strings are read as letters";
+  EXPECT_EQ(readName("a\tb\nc\x01", as_letters), "a?b?c?") << "which do something on a terminal";
+  EXPECT_EQ(readName(R"(C:\textures\Users\a \"b\")", as_letters), R"(C:\textures\Users\a "b")");
+  EXPECT_EQ(readName(R"(cut \ud83d)", as_letters), R"(cut \ud83d)");
+}
+
+TEST(GltfOddJson, WhatLiesBehindItsEndIsLeftOut) {
+  for (const char* behind : {"}", "\n}}", "garbage", ", \"x\":1"})
+    expectTold(decodedOdd(triangleFile().gltf(kPlain) + behind), "what lies behind its end is left out");
+}
+
+TEST(GltfOddContainer, WhatStandsInABuffersPlaceIsNamed) {
+  const std::string name = "gltf_oddity_place.bin";
+  const auto refusal = [&](std::string_view text) {
+    EXPECT_TRUE(writeFile(::testing::TempDir() + name, Bytes(text.begin(), text.end())));
+    std::string json = triangleFile().gltf(kPlain);
+    const std::size_t begin = json.find("data:"), end = json.find('"', begin);
+    const Result<Scene> scene = decodedOdd(json.replace(begin, end - begin, name));
+    return scene ? "" : scene.error().message;
+  };
+  EXPECT_EQ(refusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
+            "buffers[0].uri '" + name +
+                "' is a Git LFS pointer, which is not read; run `git lfs pull`, which fetches the file that it stands "
+                "for");
+  EXPECT_THAT(refusal("<!DOCTYPE html><html><body>Not found</body></html>"), HasSubstr("' is a web page"));
+  EXPECT_THAT(refusal("\x1f\x8b\x08" + std::string(60, 'x')), HasSubstr("' is compressed by gzip"));
 }
 
 TEST(GltfOddJson, RequiredExtensionsAreLeftOutIfThereIsSomethingToShow) {

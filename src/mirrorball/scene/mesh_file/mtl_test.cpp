@@ -70,6 +70,22 @@ class MtlFolderTest : public testing::MeshFolderTest {
   Material material(const std::string& table) const { return load("newmtl a\n" + table).materials.at(0); }
 };
 
+// As Notepad and PowerShell write them.
+TEST_F(MtlFolderTest, ATableMayBeInUtf16) {
+  std::string table = "\xFF\xFE";
+  for (const char letter : std::string("newmtl a\r\nKd 0.25 0.5 0.75\r\n")) table += {letter, '\0'};
+  const Scene scene = load(table);
+  EXPECT_EQ(scene.materials.at(0).base_color, glm::vec3(0.25f, 0.5f, 0.75f));
+  EXPECT_THAT(scene.warnings, ElementsAre("'my model.mtl': is in UTF-16, and is read as the UTF-8 that it stands for"));
+}
+
+TEST_F(MtlFolderTest, WhatStandsInATablesPlaceIsNamed) {
+  const Scene scene = load("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
+  EXPECT_THAT(
+      scene.warnings,
+      ::testing::Contains(HasSubstr("'my model.mtl' is a Git LFS pointer, which is not read; run `git lfs pull`")));
+}
+
 TEST_F(MtlFolderTest, NamesMayHaveBlanks) {
   writePicture("tex one.ppm", {255, 0, 0});
   const Scene scene = load("newmtl red paint\nKd 1 1 1\nmap_Kd tex one.ppm\n", "red paint");

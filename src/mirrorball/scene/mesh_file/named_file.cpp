@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/foreign_file.h"
 
 namespace mirrorball {
 namespace {
@@ -70,6 +71,8 @@ Result<NamedFiles::Found> NamedFiles::read(std::span<const std::string> readings
     if (path != withSlashes(readings[i]) && told_.insert(path).second)
       remarks_.push_back("'" + excerpt(readings[i]) + "' is read from '" + excerpt(path) + "' in the model's folder");
     MIRRORBALL_TRY(bytes, files_.read(*found));
+    if (auto foreign = foreignFileError(FileUse::any, bytes))
+      return tl::unexpected<Error>({foreign->code, "'" + excerpt(readings[i]) + "' " + foreign->message});
     return Found{bytes, path};
   }
   first.error().message.insert(0, "'" + (readings.empty() ? std::string() : excerpt(readings[0])) + "' ");

@@ -31,7 +31,7 @@ class NamedFiles {
   ///
   /// readings   at least one; the first is what an error calls it
   /// errors     as ModelFiles::find's of the first reading, and its read's: "'a.mtl' is missing; put it beside the
-  ///            model"
+  ///            model"; unsupported: what stands in its place, as a Git LFS pointer, with what helps
   Result<Found> read(std::span<const std::string> readings);
 
   ModelFiles& files() { return files_; }

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/base/unicode.h"
 #include "mirrorball/scene/mesh_file/mtl.h"
 #include "mirrorball/scene/mesh_file/named_file.h"
 #include "mirrorball/scene/mesh_file/obj_geometry.h"
 #include "mirrorball/scene/mesh_file/obj_material.h"
 #include "mirrorball/scene/mesh_file/obj_mesh.h"
+#include "mirrorball/scene/mesh_file/points_alone.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
 #include "mirrorball/scene/mesh_file/vertex_colors.h"
 #include "mirrorball/scene/mesh_repair.h"
@@ -71,11 +73,17 @@ class MaterialTables {
  private:
   Result<void> add(const NamedFiles::Found& table) {
     if (!tables_.insert(table.bytes.data()).second) return {};  // it was read by another name
-    const std::string_view text(reinterpret_cast<const char*>(table.bytes.data()), table.bytes.size());
+    std::vector<std::string> remarks;
+    std::string_view text(reinterpret_cast<const char*>(table.bytes.data()), table.bytes.size());
+    std::string converted;
+    if (isUtf16(table.bytes)) {
+      MIRRORBALL_TRY_VOID(named_.files().budget().take(mostUtf8(table.bytes.size())));
+      text = converted = utf8FromUtf16(table.bytes);
+      remarks.emplace_back(kIsUtf16);
+    }
     // In a growing list; their names are no longer than the table.
     MIRRORBALL_TRY_VOID(
         named_.files().budget().take(occurrences(lowerCase(text), "newmtl") * 3 * sizeof(MtlMaterial) + text.size()));
-    std::vector<std::string> remarks;
     for (MtlMaterial& material : readMtl(text, remarks)) {
       indices_.try_emplace(material.name, static_cast<int>(materials_.size()));
       materials_.push_back(std::move(material));
@@ -114,8 +122,9 @@ Result<std::vector<int>> findMaterials(const ObjGeometry& geometry, const std::f
 tl::unexpected<Error> nothingToDraw(const ObjGeometry& geometry) {
   std::string reasons = remarkOn(geometry.repair);
   for (const std::string& remark : geometry.remarks) reasons += (reasons.empty() ? "" : "; ") + remark;
-  if (reasons.empty())
-    return fail(ErrorCode::bad_file, "holds no faces; it is not an OBJ file, or only points and lines");
+  if (reasons.empty() && geometry.positions.empty())
+    return fail(ErrorCode::bad_file, "holds no faces; it is not an OBJ file");
+  if (reasons.empty()) return pointsAlone(geometry.positions.size());
   return fail(ErrorCode::bad_file, "holds no face that can be drawn: " + reasons);
 }
 

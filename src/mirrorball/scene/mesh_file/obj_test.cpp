@@ -236,9 +236,13 @@ TEST(Obj, WhatItSaysIsQuoted) {
 
 TEST(Obj, NamesWhatIsWrong) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  expectObjRefused("", "holds no faces");
+  expectObjRefused("", "holds no faces; it is not an OBJ file");
   expectObjRefused("just text\n", "holds no faces");
-  expectObjRefused("v 0 0 0\nl 1 1\n", "only points and lines");
+  expectObjRefused("v 0 0 0\nl 1 1\n", "1 line is left out, since only faces are drawn");
+  const Result<Scene> points = decodeObjText("v 0 0 0\nv 1 0 0\n");
+  ASSERT_FALSE(points);
+  EXPECT_EQ(points.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(points.error().message, HasSubstr("holds no faces, but 2 points; only surfaces can be drawn: make one"));
   expectObjRefused("v 0 0 0\nf 1 1\n", "1 face is left out that has fewer corners than three");
   expectObjRefused("v 0 0 0\nf 1 2 4\n", "1 triangle names a vertex that is not there");
   expectObjRefused("v 0 0 1e999\n" + triangle, "1 triangle reaches NaN or infinity");

@@ -64,6 +64,7 @@ std::size_t makeNormals(Mesh& mesh) {
 MeshRepair& MeshRepair::operator+=(const MeshRepair& other) {
   triangles_of_no_vertex += other.triangles_of_no_vertex;
   triangles_of_no_place += other.triangles_of_no_place;
+  faces_fanned += other.faces_fanned;
   normals_made += other.normals_made;
   coordinates_zeroed += other.coordinates_zeroed;
   colors_whitened += other.colors_whitened;
@@ -98,6 +99,8 @@ std::string remarkOn(const MeshRepair& repair) {
        "name vertices that are not there and are left out");
   tell(repair.triangles_of_no_place, "triangle", "reaches NaN or infinity and is left out",
        "reach NaN or infinity and are left out");
+  tell(repair.faces_fanned, "face", "has too many corners for its shape, and may be drawn beyond its border",
+       "have too many corners for their shapes, and may be drawn beyond their borders");
   tell(repair.normals_made, "normal", "has no direction and is made from the triangles around",
        "have no direction and are made from the triangles around");
   tell(repair.coordinates_zeroed, "texture coordinate", "holds NaN or infinity and is read as 0",

@@ -11,6 +11,7 @@ namespace mirrorball {
 struct MeshRepair {
   std::size_t triangles_of_no_vertex = 0;  ///< left out: they name a vertex that is not there
   std::size_t triangles_of_no_place = 0;   ///< left out: a corner's position is NaN or infinite
+  std::size_t faces_fanned = 0;            ///< of many corners that bend inwards, which were cut about one of them
   std::size_t normals_made = 0;            ///< of vertices, whose normals had no direction
   std::size_t coordinates_zeroed = 0;      ///< of vertices, whose texture coordinates were NaN or infinite
   std::size_t colors_whitened = 0;         ///< of vertices, whose colours were

@@ -75,12 +75,15 @@ class ObjMeshBuilder {
     polygon_.clear();
     const auto corners = std::span(geometry_.corners).subspan(face.first_corner, face.corner_count);
     for (const ObjCorner& corner : corners) polygon_.push_back(places_[std::size_t(corner.position)]);
-    for (const auto& triangle : triangulate(polygon_))
+    bool gave_up = false;
+    for (const auto& triangle : triangulate(polygon_, &gave_up))
       for (const std::uint32_t corner : triangle) part.mesh.indices.push_back(takeVertex(corners[corner], part));
+    faces_fanned_ += gave_up ? 1 : 0;
   }
 
   std::map<int, Mesh> finish(MeshRepair& repair) {
     std::map<int, Mesh> meshes;
+    repair.faces_fanned += faces_fanned_;
     for (auto& [key, part] : parts_) {
       repair += repairMesh(part.mesh);
       if (part.mesh.indices.empty()) continue;
@@ -112,6 +115,7 @@ class ObjMeshBuilder {
   std::span<const glm::vec3> places_;
   std::map<int, Part> parts_;
   std::vector<glm::vec3> polygon_;
+  std::size_t faces_fanned_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/mesh_file/polygon.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -69,7 +70,7 @@ std::vector<glm::vec3> spiral(int corners) {
 }
 
 TEST(Triangulate, KeepsInsideASpiral) {
-  for (const int corners : {100, 1000}) {
+  for (const int corners : {100, 1000, 3000}) {
     const std::vector<glm::vec3> band = spiral(corners);
     double exact = 0.0;
     for (std::size_t i = 0; i < band.size(); ++i) {
@@ -108,6 +109,61 @@ TEST(Triangulate, EndsForPolygonsWithoutEars) {
   EXPECT_EQ(triangulate(point).size(), 5u);
   const std::vector<glm::vec3> bow = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_EQ(triangulate(bow).size(), 2u);
+}
+
+/// A star of that many points.
+std::vector<glm::vec3> makeStar(int points) {
+  std::vector<glm::vec3> star;
+  for (int i = 0; i < 2 * points; ++i) {
+    const double angle = i * 3.141592653589793 / points, radius = i % 2 == 0 ? 1.0 : 0.3;
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+  }
+  return star;
+}
+
+// The outline of a country, and the caps of what CAD programs cut.
+TEST(Triangulate, KeepsInsideOfPolygonsOfAHundredThousandCorners) {
+  std::vector<glm::vec3> comb;
+  for (int i = 0; i < 100'000; ++i) comb.emplace_back(i, i % 2 * 1000, 0);
+  comb.emplace_back(100'000, -1, 0);
+  comb.emplace_back(0, -1, 0);
+  std::reverse(comb.begin(), comb.end());
+  std::vector<glm::vec3> zigzag;  // a band that goes to and fro
+  for (int i = 0; i < 20'000; ++i) zigzag.emplace_back(i % 2 * 5000, i, 0);
+  for (int i = 20'000; i-- > 0;) zigzag.emplace_back(i % 2 * 5000 - 1, i, 0);
+  for (const std::vector<glm::vec3>& outline : {makeStar(50'000), comb, zigzag}) {
+    double exact = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec3 a(outline[i]), b(outline[(i + 1) % outline.size()]);
+      exact += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+    bool gave_up = true;
+    double sum = 0.0, wrong = 0.0;
+    for (const auto& [a, b, c] : triangulate(outline, &gave_up)) {
+      const double area = 0.5 * glm::cross(glm::dvec3(outline[b]) - glm::dvec3(outline[a]),
+                                           glm::dvec3(outline[c]) - glm::dvec3(outline[a]))
+                                    .z;
+      sum += area;
+      wrong += std::max(0.0, -area);
+    }
+    EXPECT_FALSE(gave_up);
+    EXPECT_NEAR(sum, exact, 1e-6 * exact);
+    EXPECT_LT(wrong, 1e-6 * exact);
+  }
+}
+
+// A notch far away makes a cell of the grid so large that all others lie in it.
+TEST(Triangulate, SaysWhereItGivesUp) {
+  std::vector<glm::vec3> band;
+  for (int i = 0; i < 12000; ++i) band.emplace_back(i % 2 == 0 ? 0 : 12000, i, 0);
+  for (int i = 12000; i-- > 0;) band.emplace_back(i % 2 == 0 ? 0.5 : 12000.5, i - 0.25, 0);
+  for (const glm::vec3 notch : {glm::vec3(-1e12, -5, 0), glm::vec3(-9e11, -3, 0), glm::vec3(-1e12, -1, 0)})
+    band.push_back(notch);
+  bool gave_up = false;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(triangulate(band, &gave_up).size(), band.size() - 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_TRUE(gave_up);
 }
 
 TEST(Triangulate, MakesAFanOfAHugePolygon) {

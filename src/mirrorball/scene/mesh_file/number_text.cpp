@@ -95,6 +95,11 @@ std::optional<double> exactValue(const Decimal& decimal) {
 
 NumberText readNumber(std::string_view word) {
   using Kind = NumberText::Kind;
+  if (word.size() > 1 && word.ends_with(',') && word[word.size() - 2] != ',') {
+    NumberText number = readNumber(word.substr(0, word.size() - 1));
+    if (number.kind == Kind::plain) number.kind = Kind::comma_behind;
+    return number;
+  }
   const std::optional<Decimal> decimal = readDecimal(word);
   if (!decimal) return {kNotANumber, isWordForNotFinite(word) ? Kind::not_finite : Kind::none};
   const Kind kind = decimal->has_comma ? Kind::decimal_comma : Kind::plain;
@@ -142,6 +147,7 @@ void NumberReader::Oddity::add(std::string_view of, std::size_t in_line) {
 NumberText NumberReader::read(std::string_view word, std::size_t line) {
   const NumberText number = readNumber(word);
   if (number.kind == NumberText::Kind::decimal_comma) commas_.add(word, line);
+  if (number.kind == NumberText::Kind::comma_behind) commas_behind_.add(word, line);
   if (number.kind == NumberText::Kind::none) words_.add(word, line);
   return number;
 }
@@ -151,6 +157,9 @@ std::vector<std::string> NumberReader::remarks() const {
   if (commas_.count > 0)
     remarks.push_back("has decimal commas (the first in line " + std::to_string(commas_.line) + ": '" + commas_.word +
                       "'), which are read as points");
+  if (commas_behind_.count > 0)
+    remarks.push_back("has commas behind numbers (the first in line " + std::to_string(commas_behind_.line) + ": '" +
+                      commas_behind_.word + "'), which are passed over");
   if (words_.count == 1)
     remarks.push_back("line " + std::to_string(words_.line) + ": '" + words_.word + "' is not a number");
   if (words_.count > 1)

@@ -15,6 +15,7 @@ struct NumberText {
   enum class Kind {
     plain,
     decimal_comma,  ///< "0,5", as programs write it that take their user's language
+    comma_behind,   ///< "0.5,", of a list that a comma separates, too
     not_finite,     ///< "nan", "-nan(ind)", "1.#QNAN", "-1.#IND00", "inf", "1e999": C's words, and those of Microsoft's
     none,           ///< no number
   };
@@ -46,7 +47,8 @@ class NumberReader {
   /// line   of the text, from 1, for remarks
   NumberText read(std::string_view word, std::size_t line);
 
-  /// "has decimal commas (the first in line 3: '0,5'), which are read as points"; "line 7: 'abc' is not a number".
+  /// "has decimal commas (the first in line 3: '0,5'), which are read as points"; "has commas behind numbers …"; "line
+  /// 7: 'abc' is not a number".
   /// NaN and infinities are not among them: what uses these numbers reports what became of it.
   std::vector<std::string> remarks() const;
 
@@ -58,6 +60,7 @@ class NumberReader {
     void add(std::string_view of, std::size_t in_line);
   };
   Oddity commas_;
+  Oddity commas_behind_;
   Oddity words_;
 };
 

@@ -64,6 +64,9 @@ TEST(NumberText, KnowsTheWordsOfLibrariesForNaNAndInfinity) {
 TEST(NumberText, ADecimalCommaIsRemarkedOn) {
   expectNumber("-1,5", -1.5, Kind::decimal_comma);
   expectNumber("2,5e-3", 2.5e-3, Kind::decimal_comma);
+  expectNumber("2.5,", 2.5, Kind::comma_behind);
+  expectNumber("2,5,", 2.5, Kind::decimal_comma);
+  for (const char* word : {",", "1,,", "1,2,3"}) expectNoNumber(word, Kind::none);
   NumberReader numbers;
   EXPECT_EQ(numbers.read("0,5", 3).value, 0.5);
   numbers.read("0,25", 4);

@@ -85,8 +85,12 @@ class GeometryReader {
     while (statements_.next()) readStatement();
     dropBadFaces();
     tellOfFaces();
+    tellOfOtherElements();
     geometry_.colors = colors_.linear(geometry_.positions.size(), geometry_.remarks);
     for (std::string& remark : numbers_.remarks()) geometry_.remarks.push_back(std::move(remark));
+    if (line_of_index_ > 0)
+      geometry_.remarks.push_back("line " + std::to_string(line_of_index_) +
+                                  ": has a point or a comma behind an index, which is read without it");
     if (line_of_weight_ > 0)
       geometry_.remarks.push_back(
           "line " + std::to_string(line_of_weight_) +
@@ -114,6 +118,12 @@ class GeometryReader {
       setSmoothing();
     } else if (keyword == "mtllib") {
       if (known_tables_.emplace(statements_.rest()).second) geometry_.tables.emplace_back(statements_.rest());
+    } else if (keyword == "l") {
+      ++lines_;
+    } else if (keyword == "p") {
+      ++points_;
+    } else if (keyword == "curv" || keyword == "surf") {
+      ++free_forms_;
     } else if (keyword == "#mrgb") {
       colors_.addPolypaint(statements_.rest());
     }
@@ -155,12 +165,22 @@ class GeometryReader {
     smoothing_ = is_group ? static_cast<int>(number) : kFlat;
   }
 
+  /// An index without what makes another number of it: the comma of "5," and the zeros of "5.0".
+  std::string_view wholeIndex(std::string_view text) {
+    std::string_view whole = text.substr(0, text.size() - (text.ends_with(',') ? 1 : 0));
+    const std::size_t point = std::min(whole.find('.'), whole.size());
+    if (whole.find_first_not_of('0', point + 1) == std::string_view::npos) whole = whole.substr(0, point);
+    if (whole.size() < text.size() && line_of_index_ == 0) line_of_index_ = statements_.line();
+    return whole;
+  }
+
   /// Adds a corner "5/2/7", "5//7", "5/2", "5/2/" or "5"; false where it names no position.
   bool addCorner(std::string_view word) {
     std::array<std::string_view, 3> parts;
     for (std::string_view& part : parts) {
       part = word.substr(0, word.find('/'));
       word.remove_prefix(std::min(part.size() + 1, word.size()));
+      if (part.find_first_of(".,") != std::string_view::npos) part = wholeIndex(part);
     }
     const std::optional<int> position = fromZero(parts[0], geometry_.positions.size());
     ObjCorner& corner = geometry_.corners.emplace_back();
@@ -220,6 +240,19 @@ class GeometryReader {
     });
   }
 
+  void tellOfOtherElements() {
+    if (lines_ + points_ > 0) {
+      std::vector<std::string> names;
+      if (lines_ > 0) names.push_back(counted(lines_, "line"));
+      if (points_ > 0) names.push_back(counted(points_, "point"));
+      geometry_.remarks.push_back(join(names, " and ") + (lines_ + points_ == 1 ? " is" : " are") +
+                                  " left out, since only faces are drawn");
+    }
+    if (free_forms_ > 0)
+      geometry_.remarks.push_back(countedAre(free_forms_, "free-form curve or surface") +
+                                  " left out; export the model as polygons");
+  }
+
   void tellOfFaces() {
     if (faces_of_few_corners_ > 0)
       geometry_.remarks.push_back(countedAre(faces_of_few_corners_, "face") + " left out that " +
@@ -240,7 +273,11 @@ class GeometryReader {
   int smoothing_ = kFlat;
   bool has_smoothing_ = false;
   std::size_t faces_of_few_corners_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t points_ = 0;
+  std::size_t free_forms_ = 0;
   std::size_t attributes_past_end_ = 0;
+  std::size_t line_of_index_ = 0;   // of the first that has more than digits; 0: there is none
   std::size_t line_of_weight_ = 0;  // of the first that is not 1; 0: there is none
 };
 

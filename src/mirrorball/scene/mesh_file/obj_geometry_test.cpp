@@ -44,7 +44,36 @@ TEST(ObjGeometry, LinesOfManyKindsAreRead) {
   expectSquare(kSquareVertices + "f -4 -3 -2 -1\n");
   expectSquare(kSquareVertices + "vt 0 0 0\nvn 0 0 1\nf 1/1/ 2/1/ 3/1/ 4/1/\n");
   expectSquare(kSquareVertices + "vn 0 0 1\nf 1/0/1 2/0/1 3/0/1 4/0/1\n");
-  expectSquare("v -1 -1 0 1.0\nv 1 -1 0 1\nv 1 1 0 1\nv -1 1 0 1\nf 1 2 3 4\nl 1 2\np 1\n");
+  expectSquare("v -1 -1 0 1.0\nv 1 -1 0 1\nv 1 1 0 1\nv -1 1 0 1\nf 1 2 3 4\n");
+}
+
+TEST(ObjGeometry, WhatIsNotAFaceIsLeftOutAndTold) {
+  const auto remarks = [](const std::string& more) {
+    const Scene scene = sceneOfObj(kSquareVertices + "f 1 2 3 4\n" + more);
+    EXPECT_NEAR(totalArea(scene), 4.0, 1e-6);
+    return scene.warnings;
+  };
+  EXPECT_THAT(remarks("l 1 2\nl 2 3\np 1\n"),
+              ElementsAre("model.obj: 2 lines and 1 point are left out, since only faces are drawn"));
+  EXPECT_THAT(remarks("p 1\n"), ElementsAre("model.obj: 1 point is left out, since only faces are drawn"));
+  EXPECT_THAT(remarks("cstype bspline\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\n"),
+              ElementsAre("model.obj: 1 free-form curve or surface is left out; export the model as polygons"));
+}
+
+// What C's atof and JavaScript's parseInt pass over.
+TEST(ObjGeometry, CommasAndPointsBehindNumbersArePassedOver) {
+  const Scene list = sceneOfObj("v -1.0, -1, 0\nv 1, -1.0, 0\nv 1, 1, 0\nv -1, 1, 0\nf 1 2 3 4\n");
+  EXPECT_NEAR(totalArea(list), 4.0, 1e-6);
+  EXPECT_THAT(list.warnings, ElementsAre("model.obj: has commas behind numbers (the first in line 1: '-1.0,'), which "
+                                         "are passed over"));
+  for (const char* face : {"f 1.0 2.0 3.00 4\n", "f 1, 2, 3, 4\n", "f 1.0/1.0 2.0/1.0 3/1 4/1.\n"}) {
+    const Scene scene = sceneOfObj(kSquareVertices + "vt 0 0\n" + face);
+    EXPECT_NEAR(totalArea(scene), 4.0, 1e-6) << face;
+    EXPECT_THAT(scene.warnings, ElementsAre("model.obj: line 6: has a point or a comma behind an index, which is read "
+                                            "without it"));
+  }
+  for (const char* face : {"f 1.5 2 3\n", "f 1,2,3,4\n", "f . 2 3\n", "f , 2 3\n", "f 1.0.0 2 3\n"})
+    EXPECT_FALSE(decodeObj(testing::toBytes(kSquareVertices + face), "model.obj")) << face;
 }
 
 TEST(ObjGeometry, NumbersThatAreNoneLeaveOutTheirTrianglesAlone) {

@@ -16,6 +16,7 @@
 #include "mirrorball/scene/mesh_file/named_pictures.h"
 #include "mirrorball/scene/mesh_file/ply_content.h"
 #include "mirrorball/scene/mesh_file/ply_header.h"
+#include "mirrorball/scene/mesh_file/points_alone.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
 #include "mirrorball/scene/mesh_file/vertex_colors.h"
 #include "mirrorball/scene/mesh_repair.h"
@@ -27,6 +28,8 @@ namespace {
 
 /// Why a file without triangles cannot be drawn, and what helps.
 tl::unexpected<Error> noSurface(const PlyHeader& header, const PlyContent& content) {
+  if (!content.truncation.empty())
+    return fail(ErrorCode::bad_file, content.truncation + " before its first face; download or export it again");
   const std::string repairs = remarkOn(content.repair);
   if (!repairs.empty()) return fail(ErrorCode::bad_file, "holds no face that can be drawn: " + repairs);
   for (const PlyElement& element : header.elements)
@@ -34,9 +37,7 @@ tl::unexpected<Error> noSurface(const PlyHeader& header, const PlyContent& conte
       return fail(ErrorCode::unsupported,
                   "holds Gaussian splats, " + std::to_string(content.vertices.size()) +
                       " of them, and no faces; only surfaces can be drawn: make a mesh of them");
-  return fail(ErrorCode::unsupported, "holds no faces, but " + counted(content.vertices.size(), "point") +
-                                          "; only surfaces can be drawn: make one of them in MeshLab (Screened "
-                                          "Poisson) or CloudCompare");
+  return pointsAlone(content.vertices.size());
 }
 
 /// Gives a mesh the normals of its smooth parts: a vertex at a sharp edge becomes several. Its corners stay in order.
@@ -173,6 +174,8 @@ Result<Scene> decodePly(std::span<const std::uint8_t> bytes, const std::filesyst
   if (content.has_colors && content.has_face_colors)
     scene.warnings.emplace_back("has colours of vertices and of faces; those of the faces are shown");
   for (const std::string& remark : named.remarks()) scene.warnings.push_back(remark);
+  if (!content.truncation.empty())
+    scene.warnings.push_back(content.truncation + ", and its faces up to there are shown");
   for (std::string& remark : content.remarks) scene.warnings.push_back(std::move(remark));
   if (std::string repairs = remarkOn(content.repair); !repairs.empty()) scene.warnings.push_back(std::move(repairs));
   for (std::string& warning : scene.warnings) warning.insert(0, path.string() + ": ");

@@ -167,11 +167,17 @@ class ContentReader {
 
   Result<PlyContent> read() {
     for (const PlyElement& element : header_.elements) {
-      MIRRORBALL_TRY_VOID(checkSize(element));
-      memory_ += memoryFor(element);
+      MIRRORBALL_TRY(rows, rowsThatFit(element));
+      memory_ += memoryFor(element, rows);
       MIRRORBALL_TRY_VOID(checkMemory(memory_));
-      MIRRORBALL_TRY_VOID(element.isVertices() ? readVertices(element) : readFaces(element));
+      MIRRORBALL_TRY(read, element.isVertices() ? readVertices(element, rows) : readFaces(element, rows));
+      if (read == element.count) continue;
+      content_.truncation = "ends in row " + std::to_string(read + 1) + " of " + std::to_string(element.count) +
+                            " of '" + excerpt(element.name) + "'; it is truncated";
+      break;
     }
+    if (const std::size_t behind = values_.bytesBehind(); content_.truncation.empty() && behind > 0)
+      content_.remarks.push_back(countedAre(behind, "byte") + " behind what its header counts, and left out");
     dropTrianglesOfNoPlace();
     for (std::string& remark : values_.remarks()) content_.remarks.push_back(std::move(remark));
     return std::move(content_);
@@ -186,30 +192,29 @@ class ContentReader {
   }
 
   /// What an element takes at least, until the mesh has normals and tangents: a face is a triangle or more.
-  static std::uint64_t memoryFor(const PlyElement& element) {
-    if (element.isVertices()) return element.count * std::uint64_t{sizeof(Vertex) + sizeof(glm::dvec3)};
+  static std::uint64_t memoryFor(const PlyElement& element, std::size_t rows) {
+    if (element.isVertices()) return rows * std::uint64_t{sizeof(Vertex) + sizeof(glm::dvec3)};
     if (!element.isFaces()) return 0;
     const bool has_own = Row(element).hasColor() || std::any_of(element.properties.begin(), element.properties.end(),
                                                                 [](const PlyProperty& property) {
                                                                   return listRoleNamed(property.name) == ListRole::uvs;
                                                                 });
-    return element.count * 3 * (kOfCorner + (has_own ? kOfOwn : 0));
+    return rows * 3 * (kOfCorner + (has_own ? kOfOwn : 0));
   }
 
-  /// Refuses a count that the bytes cannot hold, before memory is taken for it.
-  Result<void> checkSize(const PlyElement& element) const {
+  /// How many rows the bytes can hold of those that the header names: memory is taken for no more.
+  Result<std::size_t> rowsThatFit(const PlyElement& element) const {
     std::size_t least = 0;
     for (const PlyProperty& property : element.properties)
       least += values_.minSize(property.count_type.value_or(property.type));
-    if (element.count > 0 && (least == 0 || element.count > values_.remaining() / least))
-      return fail(ErrorCode::bad_file, "the header names " + std::to_string(element.count) + " of '" +
-                                           excerpt(element.name) + "', more than its " +
-                                           std::to_string(values_.remaining()) +
-                                           " bytes of data can hold; the file is truncated");
-    return {};
+    if (element.count > 0 && least == 0)
+      return fail(ErrorCode::bad_file, "the rows of '" + excerpt(element.name) + "' have no properties");
+    return element.count == 0 ? std::size_t{0} : std::min(element.count, values_.remaining() / least);
   }
 
-  Result<void> readVertices(const PlyElement& element) {
+  /// rows      that the bytes can hold
+  /// returns   how many there are
+  Result<std::size_t> readVertices(const PlyElement& element, std::size_t rows) {
     Row row(element);
     if (!row.has({kX, kY, kZ})) return fail(ErrorCode::bad_file, "its vertices lack x, y or z");
     content_.has_normals = row.has({kNx, kNy, kNz});
@@ -220,21 +225,23 @@ class ContentReader {
       if (roleNamed(property.name) == kX)
         content_.positions_are_floats = header_.encoding != PlyEncoding::ascii && property.type == PlyType::float32;
 
-    content_.vertices.reserve(content_.vertices.size() + element.count);
-    content_.positions.reserve(content_.positions.size() + element.count);
+    content_.vertices.reserve(content_.vertices.size() + rows);
+    content_.positions.reserve(content_.positions.size() + rows);
     const std::size_t first = content_.vertices.size();
-    for (std::size_t i = 0; i < element.count; ++i) {
-      MIRRORBALL_TRY_VOID(readRow(row, i));
+    std::size_t read = 0;
+    for (; read < rows; ++read) {
+      MIRRORBALL_TRY(is_whole, readRow(row, read, element.count));
+      if (!is_whole) break;
       addVertex(row);
     }
-    if (!content_.has_colors) return {};
+    if (!content_.has_colors) return read;
     const auto added = std::span(content_.vertices).subspan(first);
     ElementColors colors;
     for (const Vertex& vertex : added) colors.add(vertex.color);
     colors.setTypes(row.full(kRed), row.full(kAlpha));
     for (Vertex& vertex : added) vertex.color = colors.toLinear(vertex.color);
     tellOfColors("vertices", colors);
-    return {};
+    return read;
   }
 
   void addVertex(const Row& row) {
@@ -250,35 +257,44 @@ class ContentReader {
       content_.remarks.push_back("the colours of its " + std::string(of) + " " + remark);
   }
 
-  Result<void> readRow(Row& row, std::size_t index) {
+  /// Reads a row of an element of `count`; false where the file ends within it. A number at the very end of a text that
+  /// lacks rows may be cut, too.
+  Result<bool> readRow(Row& row, std::size_t index, std::size_t count) {
+    values_.passComments();
     for (std::size_t i = 0; i < row.properties().size(); ++i) {
       const PlyProperty& property = row.properties()[i];
       if (property.count_type) {
-        MIRRORBALL_TRY_VOID(readList(property));
+        MIRRORBALL_TRY(is_whole, readList(property));
+        if (!is_whole) return false;
         const ListRole role = listRoleNamed(property.name);
         if (role == ListRole::corners) corners_ = list_;
         if (role == ListRole::uvs) uvs_ = list_;
         continue;
       }
       const std::optional<double> value = values_.next(property.type);
+      if (!value && values_.isAtEnd()) return false;
       if (!value) return wrong("no number for '" + excerpt(property.name) + "' of its row " + std::to_string(index));
       row.set(i, *value);
     }
-    return {};
+    return index + 1 == count || !values_.endsWithinWord();
   }
 
   /// Reads any element but the vertices, and takes the faces and strips from it.
-  Result<void> readFaces(const PlyElement& element) {
+  ///
+  /// rows, returns   as readVertices()
+  Result<std::size_t> readFaces(const PlyElement& element, std::size_t rows) {
     Row row(element);
     const bool has_own = element.isFaces() && (row.hasColor() || row.has({kPicture}));
     // Triangles before them have nothing for themselves.
     if (has_own) content_.faces.resize(content_.indices.size() / 3);
     const std::size_t first = content_.faces.size();
     ElementColors colors;
-    for (std::size_t i = 0; i < element.count; ++i) {
+    std::size_t read = 0;
+    for (; read < rows; ++read) {
       corners_.clear();
       uvs_.clear();
-      MIRRORBALL_TRY_VOID(readRow(row, i));
+      MIRRORBALL_TRY(is_whole, readRow(row, read, element.count));
+      if (!is_whole) break;
       if (element.isFaces())
         addFace();
       else if (element.name == "tristrips")
@@ -289,26 +305,30 @@ class ContentReader {
       if (row.has({kPicture}) && std::abs(row.at(kPicture)) < 1e6) face.picture = static_cast<int>(row.at(kPicture));
       content_.faces.resize(content_.indices.size() / 3, face);
     }
-    if (!has_own || !row.hasColor()) return {};
+    if (!has_own || !row.hasColor()) return read;
     content_.has_face_colors = true;
     colors.setTypes(row.full(kRed), row.full(kAlpha));
     for (PlyFace& face : std::span(content_.faces).subspan(first)) face.color = colors.toLinear(face.color);
     tellOfColors("faces", colors);
-    return {};
+    return read;
   }
 
-  Result<void> readList(const PlyProperty& property) {
+  /// Reads a list; false where the file ends within it.
+  Result<bool> readList(const PlyProperty& property) {
     const std::optional<double> length = values_.next(*property.count_type);
-    if (!length || !(*length >= 0.0) || *length != std::floor(*length) ||
-        *length > static_cast<double>(values_.remaining() / values_.minSize(property.type)))
-      return wrong("the list '" + excerpt(property.name) + "' has no valid length; the file may be truncated");
+    if (!length && values_.isAtEnd()) return false;
+    const bool is_length =
+        length && *length >= 0.0 && *length == std::floor(*length) && *length <= fullScale(*property.count_type);
+    if (!is_length) return wrong("the list '" + excerpt(property.name) + "' has no valid length");
+    if (*length > static_cast<double>(values_.remaining() / values_.minSize(property.type))) return false;
     list_.clear();
     for (auto left = static_cast<std::size_t>(*length); left > 0; --left) {
       const std::optional<double> value = values_.next(property.type);
+      if (!value && values_.isAtEnd()) return false;
       if (!value) return wrong("no number in the list '" + excerpt(property.name) + "'");
       list_.push_back(*value);
     }
-    return {};
+    return true;
   }
 
   /// The index as a mesh stores it; where the vertices are known already it must be one of them.
@@ -342,7 +362,9 @@ class ContentReader {
       content_.repair.triangles_of_no_place += face_.size() - 2;
       return;
     }
-    for (const auto& triangle : triangulate(polygon_)) addTriangle(triangle);
+    bool gave_up = false;
+    for (const auto& triangle : triangulate(polygon_, &gave_up)) addTriangle(triangle);
+    content_.repair.faces_fanned += gave_up ? 1 : 0;
   }
 
   /// Of corners of the face.

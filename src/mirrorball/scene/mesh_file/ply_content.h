@@ -35,6 +35,7 @@ struct PlyContent {
   bool positions_are_floats = false;  ///< 32 bits each
   MeshRepair repair;                  ///< of the triangles that were left out
   std::vector<std::string> remarks;   ///< on what else is unusual, how it was read
+  std::string truncation;  ///< where the file ends before it should: "ends in row 2 of 9 …"; empty: nowhere
 };
 
 /// Reads the elements of a PLY: vertices with their properties in any order and of any type, faces of any number of
@@ -42,8 +43,8 @@ struct PlyContent {
 ///
 /// returns  colours, of vertices and faces, from integers as sRGB, of floats as linear; codes of 255 in a wider type
 ///          as those (ChannelRange); each element's for itself, and alpha by its own type. Triangles that name no
-///          vertex, or one that is nowhere, are left out and counted
-/// errors   bad_file (the line or byte is named; a list or number that is none, a file that is truncated); too_large
+///          vertex, or one that is nowhere, are left out and counted. Of a file that ends early the rows that are whole
+/// errors   bad_file (the line or byte is named; a list or number that is none); too_large
 Result<PlyContent> readPlyContent(std::span<const std::uint8_t> file, const PlyHeader& header);
 
 }  // namespace mirrorball

@@ -50,6 +50,24 @@ glm::vec4 colorAt(const Scene& scene, std::size_t corner) {
   return mesh.vertices.at(mesh.indices.at(corner)).color;
 }
 
+TEST(PlyAsFound, ATextMayHaveCommentsAmongItsData) {
+  PlySquare square;
+  square.vertices[3] = "\ncomment of faces 1 2 3\nobj_info more\n";
+  const Scene scene = sceneOfPly(square.text());
+  EXPECT_NEAR(totalArea(scene), 4.0, 1e-6);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
+TEST(PlyAsFound, WhatLiesBehindItsElementsIsTold) {
+  PlySquare square;
+  square.more = " \n";
+  EXPECT_THAT(sceneOfPly(square.text()).warnings, IsEmpty());
+  square.more = "3 0 1 2";
+  const Scene scene = sceneOfPly(square.text());
+  EXPECT_NEAR(totalArea(scene), 4.0, 1e-6);
+  EXPECT_THAT(scene.warnings, ElementsAre("model.ply: 7 bytes are behind what its header counts, and left out"));
+}
+
 TEST(PlyAsFound, ColoursOfVerticesHaveManyNames) {
   for (const std::string prefix : {"", "diffuse_"})
     for (const std::vector<std::string>& names :

@@ -139,9 +139,10 @@ TEST(Ply, NamesWhatIsWrong) {
                    ErrorCode::bad_file, "line 4: not a valid property");
   expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
                             "property float z\nend_header\n0 0 0\n"),
-                   ErrorCode::bad_file, "more than its 6 bytes of data can hold");
+                   ErrorCode::bad_file,
+                   "ends in row 2 of 4000000000 of 'vertex'; it is truncated before its first face");
   expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"), ErrorCode::bad_file,
-                   "truncated");
+                   "the rows of 'vertex' have no properties");
   expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 up\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
                    "line 2 of its data: no number for 'z' of its row 1");
   for (const char* nowhere : {"nan", "1e300", "-inf"})
@@ -164,10 +165,30 @@ TEST(Ply, RefusesFacesThatPrecedeVerticesTheyLack) {
                    ErrorCode::bad_file, "1 triangle names a vertex that is not there");
 }
 
-TEST(Ply, IsRefusedWhenCutAnywhere) {
-  const Bytes whole = binaryPlySquare(std::endian::little);
-  for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_FALSE(decodePlyText(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+// A row that is cut is not one, and neither is the last number of a text that may have had more digits.
+TEST(Ply, IsReadAsFarAsItsFacesGoWhereverItIsCut) {
+  const Bytes binary = binaryPlySquare(std::endian::little);
+  const Bytes text = plyBytes(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const std::size_t end_of_first_face = text.size() - std::strlen("3 0 2 3\n");
+  for (std::size_t size = 0; size + 1 < text.size(); ++size) {
+    const Result<Scene> scene = decodePlyText(Bytes(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size)));
+    ASSERT_EQ(bool(scene), size >= end_of_first_face) << size;
+    if (!scene) continue;
+    const std::size_t indices = size + 1 == text.size() ? 6 : 3;
+    EXPECT_EQ(scene->meshes.at(0)->indices.size(), indices) << size;
+    EXPECT_THAT(scene->warnings,
+                ElementsAre(HasSubstr("ends in row 2 of 2 of 'face'; it is truncated, and its faces up to there")));
+  }
+  for (std::size_t size = 0; size < binary.size(); ++size) {
+    const Result<Scene> scene =
+        decodePlyText(Bytes(binary.begin(), binary.begin() + static_cast<std::ptrdiff_t>(size)));
+    if (!scene) continue;
+    EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u) << size;
+    EXPECT_THAT(scene->warnings, ElementsAre(HasSubstr("it is truncated, and its faces up to there"))) << size;
+  }
 }
 
 TEST(Ply, SurvivesRandomDamage) {

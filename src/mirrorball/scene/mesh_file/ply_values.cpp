@@ -1,5 +1,6 @@
 #include "mirrorball/scene/mesh_file/ply_values.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -49,6 +50,7 @@ PlyValues::PlyValues(std::span<const std::uint8_t> file, const PlyHeader& header
 std::optional<double> PlyValues::next(PlyType type) {
   if (encoding_ == PlyEncoding::ascii) {
     const std::string_view word = scanner_.word();
+    if (word.empty()) return {};
     const NumberText number = numbers_.read(word, scanner_.line());
     return number.kind == NumberText::Kind::none ? std::nullopt : std::optional(number.value);
   }
@@ -60,6 +62,25 @@ std::optional<double> PlyValues::next(PlyType type) {
     for (std::size_t i = 0; i < size / 2; ++i) std::swap(raw[i], raw[size - 1 - i]);
   at_ += size;
   return decodeValue(type, raw.data());
+}
+
+void PlyValues::passComments() {
+  if (encoding_ != PlyEncoding::ascii) return;
+  while (scanner_.peek() == 'c' || scanner_.peek() == 'o') {
+    TextScanner behind = scanner_;
+    const std::string_view word = behind.word();
+    if (word != "comment" && word != "obj_info") return;
+    behind.restOfLine();
+    scanner_ = behind;
+  }
+}
+
+std::size_t PlyValues::bytesBehind() const {
+  const auto rest = body_.subspan(position());
+  const auto isContent = [](std::uint8_t byte) { return byte != 0 && byte != ' ' && (byte < '\t' || byte > '\r'); };
+  const auto first = std::find_if(rest.begin(), rest.end(), isContent);
+  const auto last = std::find_if(rest.rbegin(), rest.rend(), isContent).base();
+  return first < last ? static_cast<std::size_t>(last - first) : 0;
 }
 
 std::string PlyValues::place() const {

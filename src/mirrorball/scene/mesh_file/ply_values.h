@@ -28,6 +28,18 @@ class PlyValues {
   /// a number.
   std::optional<double> next(PlyType type);
 
+  /// Whether the value that was asked for last is beyond the end of the file, or reaches it.
+  bool isAtEnd() const { return encoding_ != PlyEncoding::ascii || remaining() == 0; }
+
+  /// Whether a text ends with the word that was read last, without white space behind it.
+  bool endsWithinWord() const { return encoding_ == PlyEncoding::ascii && remaining() == 0; }
+
+  /// Passes over lines of comments where a row of a text may begin.
+  void passComments();
+
+  /// How many bytes follow the last value, without white space and zeros before and behind them.
+  std::size_t bytesBehind() const;
+
   /// Where the value stands that was asked for last: "line 2 of its data", "byte 146".
   std::string place() const;
 

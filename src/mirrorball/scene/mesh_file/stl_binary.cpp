@@ -172,7 +172,8 @@ bool hasStlSize(std::span<const std::uint8_t> bytes) {
 }
 
 Result<StlFacets> readStlBinary(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kStlHeaderSize) return fail(ErrorCode::bad_file, "is too short for an STL file");
+  if (bytes.size() < kStlHeaderSize + kFacetSize)
+    return fail(ErrorCode::bad_file, "holds no facets; it is not an STL file, or ends before the first");
   const BinaryStl file(bytes);
   if (!file.hasFacets())
     return fail(ErrorCode::bad_file,

@@ -61,8 +61,12 @@ class StlTextReader {
   }
 
   void addCorner() {
+    std::array<std::string_view, 3> words;
+    for (std::string_view& word : words) word = scanner_.word();
     glm::dvec3& corner = facet_[count_++];
-    for (int axis = 0; axis < 3; ++axis) corner[axis] = numbers_.read(scanner_.word(), scanner_.line()).value;
+    // What a file ends with, and not behind, may be a part of a number.
+    if (scanner_.isAtEnd()) return;
+    for (int axis = 0; axis < 3; ++axis) corner[axis] = numbers_.read(words[std::size_t(axis)], scanner_.line()).value;
     if (count_ < 3) return;
     count_ = 0;
     const auto isPlace = [](glm::dvec3 place) { return !std::isnan(toPlace(place).x); };

@@ -22,10 +22,16 @@ class TextScanner {
 
   /// The next word; empty at the end of the text.
   std::string_view word() {
-    while (at_ < text_.size() && isSpace(text_[at_])) advance();
+    peek();
     const std::size_t begin = at_;
     while (at_ < text_.size() && !isSpace(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
+  }
+
+  /// The first letter of the next word; 0 at the end of the text.
+  char peek() {
+    while (at_ < text_.size() && isSpace(text_[at_])) advance();
+    return at_ < text_.size() ? text_[at_] : '\0';
   }
 
   /// The rest of the line, which LF, CR LF or CR ends, without that, and steps past it.
@@ -36,6 +42,9 @@ class TextScanner {
     if (at_ < text_.size()) advance();
     return rest;
   }
+
+  /// Whether nothing follows what was read last, not even white space.
+  bool isAtEnd() const { return at_ == text_.size(); }
 
   /// How many bytes are read.
   std::size_t position() const { return at_; }

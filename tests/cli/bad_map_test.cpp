@@ -203,11 +203,11 @@ TEST_F(BadMapTest, SixFacesThatDoNotFitTogether) {
   succeed("convert uv --to cube --layout faces --size 8 -o room.exr");
   write("room_ny.exr", Image(9, 8, 3));
   EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: is 9x8"));
-  std::filesystem::remove(path("room_ny.exr"));
+  std::filesystem::remove(path("room_nx.exr"));
   EXPECT_THAT(
       refuse(1, "info room_px.exr"),
       StartsWith(
-          "room_px.exr: is one of the six faces of a cube, without room_ny.exr; put all in one folder, or name its "
+          "room_px.exr: is one of the six faces of a cube, without room_nx.exr; put all in one folder, or name its "
           "form with --from"));
 }
 

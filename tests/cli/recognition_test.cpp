@@ -50,6 +50,20 @@ TEST_F(RecognitionTest, AFileThatSaysNothingIsToldByItsShape) {
   }
 }
 
+TEST_F(RecognitionTest, WhatAShapeLeavesOpenIsRemarkedWithItsOptions) {
+  for (const std::string form : {"sphere", "paraboloid"}) {
+    succeed("convert studio --to " + form + " --size 64 -o map.exr");
+    write(form + ".exr", image("map.exr"));  // without metadata
+  }
+  EXPECT_EQ(
+      run("info sphere.exr").err,
+      "mirrorball: note: sphere.exr: is square, with a disc on black: taken as a sphere map, a mirror ball seen from "
+      "far away, and --from angular or --from ball names another form\n");
+  EXPECT_EQ(run("info sphere.exr --from sphere").err, "");
+  EXPECT_THAT(refuse(1, "info paraboloid.exr"), HasSubstr("--from paraboloid reads a dual paraboloid map"));
+  EXPECT_EQ(formOf("paraboloid.exr --from paraboloid"), "paraboloid (recognised by --from)");
+}
+
 TEST_F(RecognitionTest, FromOverridesWhatTheFileSays) {
   succeed("convert uv --to angular --size 32 -o probe.exr");
   EXPECT_EQ(formOf("probe.exr --from sphere"), "sphere (recognised by --from)");

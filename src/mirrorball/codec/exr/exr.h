@@ -15,7 +15,7 @@ namespace mirrorball {
 /// (exr_window.h): black outside of the data window. Numbers other than light are read as they are. Chromaticities
 /// other than Rec.709's are converted. Alpha is premultiplied.
 ///
-/// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no picture, deep data);
+/// errors   bad_file (also: no row is whole); too_large; unsupported (no picture, deep data);
 ///          not_found (no layer of that name); interrupted (when the progress says so)
 Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});
 

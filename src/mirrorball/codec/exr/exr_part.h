@@ -27,8 +27,8 @@ class ExrPart {
   ///
   /// file_size  in bytes
   /// layer      the name of the layer to read; empty: the picture
-  /// errors     unsupported (no picture); not_found (no such layer); too_large (a row of tiles); bad_file (none of the rows is there, or one of
-  ///            luminance and chroma is missing; windows)
+  /// errors     unsupported (no picture); not_found (no such layer); too_large (a row of tiles); bad_file (none of the
+  ///            rows is there, or one of luminance and chroma is missing; windows)
   static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer);
 
   int width() const { return window_.width(); }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/text.h"
@@ -25,9 +26,10 @@ using Span = std::span<const std::uint8_t>;
 struct DdsHeader {
   TextureShape shape;
   StoredFormat format;
-  bool encoding_assumed = false;  ///< the file does not say whether it is sRGB
-  std::size_t size = 0;           ///< bytes: the texels begin here
-  std::size_t row_alignment = 1;  ///< bytes: rows of texels are multiples of them
+  bool encoding_assumed = false;    ///< the file does not say whether it is sRGB
+  std::size_t size = 0;             ///< bytes: the texels begin here
+  std::size_t row_alignment = 1;    ///< bytes: rows of texels are multiples of them
+  std::uint32_t stored_levels = 1;  ///< of each image, of which `shape` may have fewer, the largest
   std::vector<std::string> oddities = {};
 
   std::uint64_t texelBytes() const { return chainSize(shape, format, row_alignment) * shape.imagesPerLevel(); }
@@ -82,8 +84,40 @@ constexpr MaskRow kMaskRows[] = {
     {8, 0xff, 0, 0, 0, {SampleType::srgb8, 1}},
 };
 
+/// Whether a mask's bits stand side by side, at most 16 of them, within a word.
+bool isMask(std::uint32_t mask, std::uint32_t bits) {
+  constexpr int kMostBits = 16;
+  if (mask == 0) return true;
+  const std::uint32_t codes = mask >> std::countr_zero(mask);
+  return (codes & (codes + 1)) == 0 && std::popcount(mask) <= kMostBits && (bits == 32 || mask >> bits == 0);
+}
+
+/// Integers of any bits under masks: 5:6:5, 5:5:5:1, 4:4:4:4, 10:10:10:2, luminance with alpha.
+///
+/// masks    red, green, blue, alpha; of luminance the first alone, and perhaps alpha
+/// returns  nothing where the masks are none of such
+std::optional<StoredFormat> formatOfMasks(std::uint32_t bits, std::array<std::uint32_t, 4> masks) {
+  const bool is_word = bits == 8 || bits == 16 || bits == 24 || bits == 32;
+  if (!is_word || masks[0] == 0) return {};
+  for (const std::uint32_t mask : masks)
+    if (!isMask(mask, bits)) return {};
+  const bool is_luminance = masks[1] == 0 && masks[2] == 0;
+  if (is_luminance) masks[1] = masks[2] = masks[0];
+  const int most_bits = std::max({std::popcount(masks[0]), std::popcount(masks[1]), std::popcount(masks[2])});
+  // As D3DFMT_A16B16G16R16, more bits than a display's are not encoded.
+  constexpr int kMostEncoded = 10;
+  return StoredFormat{.type = most_bits <= kMostEncoded ? SampleType::srgb_bits : SampleType::unorm_bits,
+                      .channels = masks[3] != 0  ? 4
+                                  : is_luminance ? 1
+                                                 : 3,
+                      .word_bytes = bits / 8,
+                      .masks = masks};
+}
+
 /// The format from the 32 bytes of DDS_PIXELFORMAT, for files without the DX10 header.
-Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
+///
+/// oddities   told of masks that mean others
+Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::vector<std::string>& oddities) {
   const std::uint32_t flags = littleU32(pixel_format + 4);
   const std::uint32_t code = littleU32(pixel_format + 8);
   if (flags & kPixelFourLetters) {
@@ -99,13 +133,33 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
     for (const MaskRow& row : kMaskRows)
       if (row.bits == bits && row.red == mask(0) && row.green == mask(1) && row.blue == mask(2) && row.alpha == alpha)
         return row.format;
-  return unsupportedTexture("a pixel format of " + counted(bits, "bit") + " with masks of its own", kDdsInstead);
+  const std::array<std::uint32_t, 4> masks{mask(0), mask(1), mask(2), alpha};
+  auto format = flags & (kPixelRgb | kPixelLuminance) ? formatOfMasks(bits, masks) : std::nullopt;
+  if (!format)
+    return unsupportedTexture("a pixel format of " + counted(bits, "bit") + " with masks of its own", kDdsInstead);
+  constexpr std::uint32_t kLowTen = 0x3ff, kMiddleTen = 0xffc00, kHighTen = 0x3ff00000;
+  const bool is_ten = masks[1] == kMiddleTen && masks[0] + masks[2] == kLowTen + kHighTen &&
+                      (masks[0] == kLowTen || masks[0] == kHighTen);
+  if (is_ten) {
+    // D3DX, of every version, and texconv before DirectXTex exchange the two when they write and when they read
+    // (C. Walbourn, "DDS Update and 10:10:10:2 Problems"); DirectXTex reads all such files so.
+    std::swap(format->masks[0], format->masks[2]);
+    oddities.emplace_back(
+        "has 10 bits a colour under masks from before DX10, where D3DX exchanged red and blue: read "
+        "so; with a DX10 header it would be certain");
+  }
+  return *format;
 }
 
 Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {
-  const auto format = formatOfDxgi(littleU32(dx10));
-  if (!format) return unsupportedTexture(nameOfDxgi(littleU32(dx10)), kDdsInstead);
+  const std::uint32_t stated = littleU32(dx10);
+  const std::uint32_t typed = typedDxgi(stated);
+  const auto format = formatOfDxgi(typed);
+  if (!format) return unsupportedTexture(nameOfDxgi(stated), kDdsInstead);
   header.format = *format;
+  if (typed != stated)
+    header.oddities.push_back("leaves open what its samples are (DXGI_FORMAT " + std::to_string(stated) +
+                              ", typeless): read as " + nameOf(*format));
   // World of Tanks Blitz has 0, D3D10_RESOURCE_DIMENSION_UNKNOWN (microsoft/DirectXTex#667).
   const std::uint32_t dimension = littleU32(dx10 + 4);
   if (dimension == 0) header.oddities.emplace_back("does not say its dimension: read as two-dimensional");
@@ -186,21 +240,41 @@ std::uint32_t mostLevels(const TextureShape& shape) {
   return static_cast<std::uint32_t>(std::bit_width(std::max(shape.width, shape.height)));
 }
 
+/// Levels of several images, of which the file has not all: fewer of each, or it ends within the smallest ones of the
+/// last image.
+void settleCutLevels(std::uint64_t stated_bytes, std::uint64_t available, DdsHeader& header) {
+  TextureShape& shape = header.shape;
+  const std::uint32_t stated = shape.levels;
+  const std::uint64_t of_image = stated_bytes / shape.imagesPerLevel();
+  while (shape.levels > 1 && header.texelBytes() > available) --shape.levels;
+  if (header.texelBytes() == available) {
+    header.stored_levels = shape.levels;
+    return;
+  }
+  const auto last_fits = [&] {
+    return stated_bytes - of_image + chainSize(shape, header.format, header.row_alignment) <= available;
+  };
+  shape.levels = stated;
+  while (shape.levels > 1 && !last_fits()) --shape.levels;
+  if (!last_fits()) shape.levels = stated;
+}
+
 /// Levels that a header counts and the file does not have (microsoft/DirectXTex#394, #484), or the other way round. The
 /// second of several images begins behind the levels of the first: there nothing but the file's length can tell.
 void settleLevels(std::uint64_t available, DdsHeader& header) {
   TextureShape& shape = header.shape;
-  const std::uint32_t stated = shape.levels;
+  const std::uint32_t stated = header.stored_levels = shape.levels;
   const std::uint64_t stated_bytes = header.texelBytes();
   if (shape.imagesPerLevel() == 1) {
     while (shape.levels > 1 && header.texelBytes() > available) --shape.levels;
   } else if (stated_bytes < available) {
     shape.levels = mostLevels(shape);
     if (header.texelBytes() != available) shape.levels = stated;
+    header.stored_levels = shape.levels;
+  } else if (stated_bytes > available) {
+    settleCutLevels(stated_bytes, available, header);
   }
-  if (shape.levels != stated)
-    header.oddities.push_back("counts " + counted(stated, "mip level") + ", and has texels for " +
-                              std::to_string(shape.levels) + ": read so");
+  if (shape.levels != stated) header.oddities.push_back(levelsRemark(stated, shape.levels));
 }
 
 /// Rows that begin at multiples of 4 bytes, as Direct3D had them in memory: where the pitch says so and the file is as
@@ -237,9 +311,9 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
                                            std::to_string(header.size) + "; the file is truncated");
     MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kDdsHeaderSize, header));
   } else {
-    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76));
+    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76, header.oddities));
     header.format = format;
-    header.encoding_assumed = format.type == SampleType::srgb8;
+    header.encoding_assumed = hasSrgbCurve(format);
   }
   // Of a shape that no texture has, no sizes are computed.
   MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
@@ -262,8 +336,12 @@ Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header,
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
-      for (int level = 0; level < images.levels(); ++level) {
+      for (int level = 0; level < static_cast<int>(header.stored_levels); ++level) {
         const std::uint64_t size = imageSize(shape, header.format, level, header.row_alignment);
+        if (level >= images.levels()) {
+          texels += size;
+          continue;
+        }
         const auto row =
             static_cast<std::size_t>(size / blocksAlong(header.format, std::uint64_t(shape.heightAt(level))));
         MIRRORBALL_TRY(image, unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level)));
@@ -295,7 +373,7 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
                          .format = "DDS, " + nameOf(header.format) + assumed,
                          .color = as == ReadAs::light ? color : std::string(kAsStored),
                          .oddities = std::move(header.oddities),
-                         .is_converted = format.type == SampleType::srgb8};
+                         .is_converted = hasSrgbCurve(format)};
 }
 
 }  // namespace mirrorball

@@ -121,6 +121,22 @@ TEST(DdsVariants, LevelsAreThoseThatAreThere) {
                 ElementsAre(HasSubstr("and has texels for 3: read so")));
 }
 
+// The last image of a cube or an array ends within its levels, or each has fewer than are counted.
+TEST(DdsVariants, OfSeveralImagesTheLevelsThatAllHaveAreRead) {
+  for (const ImageSet& images : {makeTexture(3, 6, 1, 3, 4, 4), makeTexture(3, 1, 2, 3, 4, 4)}) {
+    const int faces = images.faces(), layers = images.layers();
+    const Bytes file = encoded(images);
+    // Texels of 16 bytes: one of the smallest level, four of the one before it.
+    for (const auto& [missing, levels] : {std::pair(1, 2), {16, 2}, {17, 1}, {80, 1}})
+      EXPECT_THAT(remarksOn(Bytes(file.begin(), file.end() - missing), makeTexture(levels, faces, layers, 3, 4, 4)),
+                  ElementsAre("counts 3 mip levels, and has texels for " + std::to_string(levels) + ": read so"));
+    EXPECT_THAT(remarksOn(Bytes(file.begin(), file.end() - 81), images), ElementsAre(HasSubstr("refused: ")));
+    const ImageSet fewer = makeTexture(2, faces, layers, 3, 4, 4);
+    EXPECT_THAT(remarksOn(with(encoded(fewer), kMipCountAt, 3), fewer),
+                ElementsAre("counts 3 mip levels, and has texels for 2: read so"));
+  }
+}
+
 TEST(DdsVariants, BytesBehindTheTexelsAreLeftOut) {
   for (const ImageSet& images : {makeTexture(1, 6, 1, 3, 4, 4), makeTexture(2, 1, 1, 3, 4, 4)}) {
     Bytes file = encoded(images);
@@ -146,6 +162,40 @@ TEST(DdsVariants, RowsMayBePadded) {
   EXPECT_THAT(read->oddities, ElementsAre("has rows of 12 bytes for 9 of texels: the rest of each is left out"));
   // A pitch alone says nothing: many are wrong.
   EXPECT_THAT(decodeDds(with(oldDds(header, Bytes(18, 9)), kPitchAt, 12))->oddities, IsEmpty());
+}
+
+// Of one bit of red and all of blue in the low bits; D3DX's masks are exchanged.
+TEST(DdsVariants, TenBitsBeforeDx10HaveExchangedMasks) {
+  for (const bool is_red_high : {false, true}) {
+    const std::array<std::uint32_t, 4> masks{is_red_high ? 0x3ff00000u : 0x3ffu, 0xffc00u,
+                                             is_red_high ? 0x3ffu : 0x3ff00000u, 0xc0000000u};
+    const auto read = decodeDds(oldDds({.flags = 0x41, .bits = 32, .masks = masks}, {0xff, 0x03, 0x00, 0xc0}));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(rgbaAt(read->images.at(0, 0), 0, 0), is_red_high ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 0, 1, 1));
+    EXPECT_THAT(read->oddities, ElementsAre(HasSubstr("where D3DX exchanged red and blue: read so")));
+  }
+}
+
+TEST(DdsVariants, WhatIsTypelessIsReadAsItsUsualType) {
+  struct Typeless {
+    std::uint32_t number;
+    Bytes texel;
+    glm::vec3 light;
+    const char* as;
+  };
+  for (const Typeless& kind : {Typeless{9, {0, 0x3c, 0, 0x40, 0, 0x44, 0, 0x3c}, {1, 2, 4}, "r16g16b16a16 sfloat"},
+                               Typeless{27, {255, 0, 51, 255}, {1, 0, 0.2f}, "r8g8b8a8 unorm"},
+                               Typeless{90, {255, 0, 51, 255}, {0.2f, 0, 1}, "b8g8r8a8 unorm"},
+                               Typeless{23, {0xff, 0x03, 0, 0xc0}, {1, 0, 0}, "a2b10g10r10 unorm"}}) {
+    Bytes file = encoded(makeTexture(1, 1, 1, 3, 1, 1));
+    file.resize(148);
+    file.insert(file.end(), kind.texel.begin(), kind.texel.end());
+    const auto read = decodeDds(with(file, 128, kind.number));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(rgbAt(read->images.at(0, 0), 0, 0), kind.light);
+    EXPECT_THAT(read->oddities, ElementsAre("leaves open what its samples are (DXGI_FORMAT " +
+                                            std::to_string(kind.number) + ", typeless): read as " + kind.as));
+  }
 }
 
 TEST(DdsVariants, FacesThatAreNotListedAreReadWhereTheyAre) {

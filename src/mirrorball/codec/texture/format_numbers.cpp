@@ -1,8 +1,10 @@
 #include "mirrorball/codec/texture/format_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace mirrorball {
 namespace {
@@ -13,6 +15,11 @@ struct FormatNumberRow {
   std::uint32_t vk_format;
   std::uint32_t dxgi_format;
 };
+/// Integers in words, under masks.
+constexpr StoredFormat bitsFormat(std::uint32_t word_bytes, const std::array<std::uint32_t, 4>& masks) {
+  return {SampleType::unorm_bits, masks[3] != 0 ? 4 : 3, false, false, word_bytes, masks};
+}
+
 constexpr FormatNumberRow kFormatNumberRows[] = {
     {{SampleType::unorm8, 1}, 9, 61},
     {{SampleType::srgb8, 1}, 15, 0},
@@ -44,8 +51,19 @@ constexpr FormatNumberRow kFormatNumberRows[] = {
     {{SampleType::e5b9g9r9, 3}, 123, 67},
     {{SampleType::bc6h_unsigned, 3}, 143, 95},
     {{SampleType::bc6h_signed, 3}, 144, 96},
-    {{SampleType::uastc_hdr, 3}, 1000066000, 0},  // VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK
-    {{SampleType::bc6h_unsigned, 3}, 0, 94},      // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
+    {{SampleType::uastc_hdr, 3}, 1000066000, 0},                       // VK_FORMAT_ASTC_4x4_SFLOAT_BLOCK
+    {bitsFormat(4, {0x3ff, 0xffc00, 0x3ff00000, 0xc0000000}), 0, 24},  // R10G10B10A2
+    {bitsFormat(2, {0xf800, 0x7e0, 0x1f, 0}), 0, 85},                  // B5G6R5, named from the lowest bits
+    {bitsFormat(2, {0x7c00, 0x3e0, 0x1f, 0x8000}), 0, 86},             // B5G5R5A1
+    {bitsFormat(2, {0xf00, 0xf0, 0xf, 0xf000}), 0, 115},               // B4G4R4A4
+    {bitsFormat(2, {0xf000, 0xf00, 0xf0, 0xf}), 0, 191},               // A4B4G4R4
+};
+
+/// DXGI's formats that leave the type of their samples to whoever uses them, and what is taken for each: floats, where
+/// there are some of that size, else unsigned shares.
+constexpr std::pair<std::uint32_t, std::uint32_t> kTypeless[] = {
+    {1, 2},   {5, 6},   {9, 10},  {15, 16}, {23, 24}, {27, 28}, {33, 34},
+    {39, 41}, {48, 49}, {53, 54}, {60, 61}, {90, 87}, {92, 88}, {94, 95},
 };
 
 std::optional<StoredFormat> formatOf(std::uint32_t FormatNumberRow::*column, std::uint32_t number) {
@@ -107,6 +125,12 @@ std::optional<StoredFormat> formatOfVulkan(std::uint32_t vk_format) {
 }
 std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format) {
   return formatOf(&FormatNumberRow::dxgi_format, dxgi_format);
+}
+
+std::uint32_t typedDxgi(std::uint32_t dxgi_format) {
+  for (const auto& [typeless, typed] : kTypeless)
+    if (typeless == dxgi_format) return typed;
+  return dxgi_format;
 }
 
 std::uint32_t vulkanNumber(TexelFormat format) { return numberOf(&FormatNumberRow::vk_format, format); }

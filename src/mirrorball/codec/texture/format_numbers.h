@@ -12,6 +12,9 @@ namespace mirrorball {
 std::optional<StoredFormat> formatOfVulkan(std::uint32_t vk_format);
 std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format);
 
+/// The DXGI_FORMAT that is taken for one of the _TYPELESS, which leave open what their samples are; others as they are.
+std::uint32_t typedDxgi(std::uint32_t dxgi_format);
+
 /// The VkFormat or DXGI_FORMAT of a format that is written.
 std::uint32_t vulkanNumber(TexelFormat format);
 std::uint32_t dxgiNumber(TexelFormat format);

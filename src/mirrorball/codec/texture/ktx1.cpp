@@ -118,7 +118,7 @@ class Reader {
     MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kKtx1HeaderSize, key_value_size, big_endian_));
     at_ = kKtx1HeaderSize + key_value_size;
     const bool is_array = u32(48) > 0;
-    MIRRORBALL_TRY_VOID(checkTotal(shape, format));
+    MIRRORBALL_TRY_VOID(settleLevels(format, shape));
     MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format));
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
@@ -143,15 +143,22 @@ class Reader {
                 what + " ends early, at byte " + std::to_string(bytes_.size()) + "; the file is truncated or damaged");
   }
 
-  /// Before memory is taken: the file is long enough for all levels.
-  Result<void> checkTotal(const TextureShape& shape, const StoredFormat& format) const {
+  /// Before memory is taken: the levels are those that the file is long enough for. The largest stands first.
+  Result<void> settleLevels(const StoredFormat& format, TextureShape& shape) {
+    const auto bytesOf = [&](std::uint32_t level) {
+      return 4 + imageSize(shape, format, static_cast<int>(level), kAlignment) * shape.imagesPerLevel();
+    };
+    const std::uint32_t stated = shape.levels;
     std::uint64_t total = 0;
-    for (std::uint32_t level = 0; level < shape.levels; ++level)
-      total += 4 + imageSize(shape, format, static_cast<int>(level), kAlignment) * shape.imagesPerLevel();
-    if (total <= bytes_.size() - at_) return {};
-    return fail(ErrorCode::bad_file, "its levels have " + std::to_string(total) + " bytes from byte " +
-                                         std::to_string(at_) + " on, but the file has " +
-                                         std::to_string(bytes_.size()) + "; it is truncated or damaged");
+    for (std::uint32_t level = 0; level < stated; ++level) total += bytesOf(level);
+    const std::uint64_t all = total;
+    while (shape.levels > 0 && total > bytes_.size() - at_) total -= bytesOf(--shape.levels);
+    if (shape.levels == 0)
+      return fail(ErrorCode::bad_file, "its levels have " + std::to_string(all) + " bytes from byte " +
+                                           std::to_string(at_) + " on, but the file has " +
+                                           std::to_string(bytes_.size()) + "; it is truncated or damaged");
+    if (shape.levels != stated) oddities_.push_back(levelsRemark(stated, shape.levels));
+    return {};
   }
 
   /// Whether the sizes that stand before the levels are those of all images of a level, as they are but for a cube that

@@ -145,6 +145,23 @@ TEST(Ktx1, SizesOfLevelsThatAreTakenForThoseOfImagesAreReadAndTold) {
   }
 }
 
+TEST(Ktx1, LevelsAreThoseThatAreThere) {
+  Bytes file = testing::ktx1Header({.width = 4, .height = 4, .levels = 3});
+  for (const std::uint32_t size : {256u, 64u, 16u}) {
+    testing::appendU32(file, size, false);
+    file.insert(file.end(), size, std::uint8_t{0x3f});
+  }
+  EXPECT_THAT(decodeKtx1(file)->oddities, ::testing::IsEmpty());
+  for (const auto& [missing, levels] : {std::pair(1, 2), {20, 2}, {21, 1}, {88, 1}}) {
+    const auto cut = decodeKtx1(Bytes(file.begin(), file.end() - missing));
+    ASSERT_TRUE(cut) << missing << ": " << cut.error().message;
+    EXPECT_EQ(cut->images.levels(), levels);
+    EXPECT_THAT(cut->oddities, ::testing::ElementsAre("counts 3 mip levels, and has texels for " +
+                                                      std::to_string(levels) + ": read so"));
+  }
+  EXPECT_FALSE(decodeKtx1(Bytes(file.begin(), file.end() - 89)));
+}
+
 TEST(Ktx1, NoFacesAreOne) {
   const auto read = decodeKtx1(oneLevel({.faces = 0}, 16, floats({1.0f, 2.0f, 3.0f, 4.0f}, false)));
   ASSERT_TRUE(read) << read.error().message;

@@ -81,6 +81,22 @@ Result<Ktx2Header> readKtx2Header(Span bytes) {
   return header;
 }
 
+/// The levels are those that lie within the file, if the largest is one of them. Most writers put it last, so that a
+/// file that ends early has lost it.
+///
+/// returns  the remark on it; empty where all levels do
+std::string settleLevels(std::size_t file_size, Ktx2Header& header) {
+  const auto is_cut = [&](const LevelPlace& level) {
+    return level.offset > file_size || level.size > file_size - level.offset;
+  };
+  const auto first_cut = std::find_if(header.levels.begin(), header.levels.end(), is_cut);
+  if (first_cut == header.levels.begin() || first_cut == header.levels.end()) return {};
+  const std::uint32_t stated = header.shape.levels;
+  header.levels.erase(first_cut, header.levels.end());
+  header.shape.levels = static_cast<std::uint32_t>(header.levels.size());
+  return levelsRemark(stated, header.shape.levels);
+}
+
 /// All parts lie within the file, and no two of them in the same place.
 Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
   std::vector<Range> ranges = {{0, kKtx2HeaderSize + header.levels.size() * kKtx2LevelSize, "the header"},
@@ -205,6 +221,7 @@ bool isKtx2(Span bytes) {
 
 Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
   MIRRORBALL_TRY(header, readKtx2Header(bytes));
+  const std::string levels_remark = settleLevels(bytes.size(), header);
   MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size()));
   MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, std::size_t(header.descriptor.begin),
                                                  std::size_t(header.descriptor.size), as));
@@ -221,6 +238,7 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
     if (images.faces() == 1) turnUpright(image, values);
   });
   std::vector<std::string> oddities;
+  if (!levels_remark.empty()) oddities.push_back(levels_remark);
   if (color.is_missing) oddities.emplace_back("has no data format descriptor: read as its vkFormat says");
   if (!values.swizzle.empty()) oddities.push_back(swizzleRemark(values));
   if (as == ReadAs::numbers) tellUnapplied(spaceStatedBy(stored, color), oddities);

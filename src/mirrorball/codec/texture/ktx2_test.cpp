@@ -59,6 +59,28 @@ TEST(Ktx2, WithoutADescriptorTheFormatsNumberCounts) {
   EXPECT_TRUE(decodeKtx2(whole)->oddities.empty());
 }
 
+// Most writers put the largest level last, and a file that ends early has lost it.
+TEST(Ktx2, LevelsAreThoseThatAreThereIfTheLargestIs) {
+  const Bytes usual = bytesOfTexture(writeKtx2, textureOf(2, 1, 1, 4, 4, 4), {.format = TexelFormat::float32});
+  constexpr std::size_t kLargest = 256, kSmallest = 64;
+  EXPECT_THAT(decodeKtx2(Bytes(usual.begin(), usual.end() - 1)).error().message, HasSubstr("level 0 says it has"));
+  // The same with the largest first.
+  Bytes other(usual.begin(), usual.end() - kLargest - kSmallest);
+  const auto begin = static_cast<std::uint8_t>(other.size());
+  other.insert(other.end(), usual.end() - kLargest, usual.end());
+  other.insert(other.end(), usual.end() - kLargest - kSmallest, usual.end() - kLargest);
+  other[80] = begin;
+  other[81] = 0;
+  other[104] = static_cast<std::uint8_t>(begin + kLargest);
+  other[105] = static_cast<std::uint8_t>((begin + kLargest) >> 8);
+  ASSERT_THAT(decodeKtx2(other)->oddities, ::testing::IsEmpty());
+  const auto cut = decodeKtx2(Bytes(other.begin(), other.end() - 1));
+  ASSERT_TRUE(cut) << cut.error().message;
+  EXPECT_EQ(cut->images.levels(), 1);
+  EXPECT_EQ(rgbaAt(cut->images.at(0, 0), 3, 3), rgbaAt(decodeKtx2(usual)->images.at(0, 0), 3, 3));
+  EXPECT_THAT(cut->oddities, ::testing::ElementsAre("counts 2 mip levels, and has texels for 1: read so"));
+}
+
 TEST(Ktx2, ASwizzleIsRemarked) {
   Bytes file = ktx2File(twoLevels());
   // In place of KTXwriter, whose key and value are as long: a key of 10 letters with its zero behind.

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -93,6 +94,48 @@ void unpackPacked(SampleType type, const std::uint8_t* bytes, std::size_t texels
 bool isPacked(SampleType type) { return type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9; }
 bool isBc6h(SampleType type) { return type == SampleType::bc6h_unsigned || type == SampleType::bc6h_signed; }
 bool isCompressed(SampleType type) { return isBc6h(type) || type == SampleType::uastc_hdr; }
+bool isInBits(SampleType type) { return type == SampleType::srgb_bits || type == SampleType::unorm_bits; }
+
+/// "a1r5g5b5", from the highest bits to the lowest; "a4l4" where red, green and blue are one.
+std::string nameOfBits(const StoredFormat& format) {
+  const bool is_luminance = format.masks[0] == format.masks[1];
+  std::array<std::pair<std::uint32_t, char>, 4> channels{};
+  for (std::size_t c = 0; c < 4; ++c)
+    channels[c] = {is_luminance && (c == 1 || c == 2) ? 0 : format.masks[c], is_luminance && c == 0 ? 'l' : "rgba"[c]};
+  std::sort(channels.begin(), channels.end(), std::greater<>());
+  std::string name;
+  for (const auto& [mask, letter] : channels)
+    if (mask != 0) name += letter + std::to_string(std::popcount(mask));
+  return name;
+}
+
+/// Texels of bits in words. The light of each code is looked up: there are few.
+Image unpackBits(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, Image image) {
+  std::array<std::vector<float>, 4> light;
+  std::array<int, 4> shifts{};
+  const auto channels = static_cast<std::size_t>(image.channels());
+  for (std::size_t c = 0; c < channels; ++c) {
+    shifts[c] = format.masks[c] == 0 ? 0 : std::countr_zero(format.masks[c]);
+    const std::uint32_t max = format.masks[c] >> shifts[c];
+    for (std::uint32_t code = 0; code <= max; ++code) {
+      const float share = static_cast<float>(code) / static_cast<float>(std::max(max, 1u));
+      light[c].push_back(hasSrgbCurve(format) && c < 3 ? formula::linearFromSrgb1(share) : share);
+    }
+  }
+  const std::size_t rows_per_piece = std::max<std::size_t>(kTexelsPerPiece / std::size_t(image.width()), 1);
+  parallelFor(std::size_t(image.height()), rows_per_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) {
+      const std::uint8_t* word = bytes + y * row_pitch;
+      float* texel = image.row(static_cast<int>(y)).data();
+      for (int x = 0; x < image.width(); ++x, word += format.word_bytes, texel += channels) {
+        std::uint32_t bits = 0;
+        for (std::uint32_t i = 0; i < format.word_bytes; ++i) bits |= std::uint32_t{word[i]} << 8 * i;
+        for (std::size_t c = 0; c < channels; ++c) texel[c] = light[c][(bits & format.masks[c]) >> shifts[c]];
+      }
+    }
+  });
+  return image;
+}
 
 /// One row, to the channels and the order of an image.
 void unpackRow(const StoredFormat& format, const std::uint8_t* bytes, std::span<float> row,
@@ -213,6 +256,7 @@ StoredFormat storedFormat(TexelFormat format) {
 }
 
 std::string nameOf(const StoredFormat& format) {
+  if (isInBits(format.type)) return nameOfBits(format) + (hasSrgbCurve(format) ? " srgb" : " unorm");
   if (format.type == SampleType::b10g11r11) return "b10g11r11 ufloat";
   if (format.type == SampleType::e5b9g9r9) return "e5b9g9r9 ufloat";
   if (format.type == SampleType::bc6h_unsigned) return "bc6h ufloat";
@@ -236,6 +280,9 @@ std::string nameOf(const StoredFormat& format) {
 
 std::size_t wordSize(const StoredFormat& format) {
   switch (format.type) {
+    case SampleType::srgb_bits:
+    case SampleType::unorm_bits:
+      return format.word_bytes;
     case SampleType::srgb8:
     case SampleType::unorm8:
     case SampleType::bc6h_unsigned:
@@ -254,6 +301,7 @@ int blockSide(const StoredFormat& format) { return isCompressed(format.type) ? 4
 
 std::size_t blockSize(const StoredFormat& format) {
   if (isCompressed(format.type)) return kHalfBlockSize;
+  if (isInBits(format.type)) return format.word_bytes;
   return isPacked(format.type) ? 4 : wordSize(format) * std::size_t(format.channels);
 }
 
@@ -267,19 +315,23 @@ int imageChannels(const StoredFormat& format) {
   return format.channels;
 }
 
+bool hasSrgbCurve(const StoredFormat& format) {
+  return format.type == SampleType::srgb8 || format.type == SampleType::srgb_bits;
+}
+
 StoredFormat withoutCurve(StoredFormat format) {
+  if (format.type == SampleType::srgb_bits) format.type = SampleType::unorm_bits;
   if (format.type == SampleType::srgb8) format.type = SampleType::unorm8;
   return format;
 }
 
-TransferCurve curveOf(const StoredFormat& format) {
-  return format.type == SampleType::srgb8 ? kSrgbCurve : kLinearLight;
-}
+TransferCurve curveOf(const StoredFormat& format) { return hasSrgbCurve(format) ? kSrgbCurve : kLinearLight; }
 
 Result<Image> unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
                            int height) {
   Image image(width, height, imageChannels(format));
   if (format.type == SampleType::uastc_hdr) return unpackUastcHdr(bytes, row_pitch, std::move(image));
+  if (isInBits(format.type)) return unpackBits(format, bytes, row_pitch, std::move(image));
   if (isBc6h(format.type)) {
     parallelFor(std::size_t(blocksAlong(format, std::uint64_t(height))), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,15 +24,19 @@ enum class SampleType {
   e5b9g9r9,
   bc6h_unsigned,
   bc6h_signed,
-  uastc_hdr
+  uastc_hdr,
+  srgb_bits,   ///< integers of 1 to 16 bits in one word, under masks
+  unorm_bits,  ///< the same, not encoded
 };
 
 /// How a texel stands in a texture file: little-endian samples in the order of their names.
 struct StoredFormat {
   SampleType type = SampleType::half;
-  int channels = 4;             ///< 1 to 4; 3 for the packed and the compressed types
-  bool blue_first = false;      ///< b g r a instead of r g b a
-  bool ignores_fourth = false;  ///< b8g8r8x8: what the fourth channel holds means nothing
+  int channels = 4;                         ///< 1 to 4; 3 for the packed and the compressed types
+  bool blue_first = false;                  ///< b g r a instead of r g b a
+  bool ignores_fourth = false;              ///< b8g8r8x8: what the fourth channel holds means nothing
+  std::uint32_t word_bytes = 0;             ///< of srgb_bits and unorm_bits: 1 to 4
+  std::array<std::uint32_t, 4> masks = {};  ///< the bits of each channel in the word, side by side; 0: it is 0
 
   friend bool operator==(const StoredFormat&, const StoredFormat&) = default;
 };
@@ -56,6 +61,9 @@ std::size_t wordSize(const StoredFormat& format);
 
 /// How many channels the decoded image has: two become three with no blue, for two would be grey and alpha.
 int imageChannels(const StoredFormat& format);
+
+/// Whether the samples are encoded by sRGB's curve.
+bool hasSrgbCurve(const StoredFormat& format);
 
 /// The same samples without sRGB's curve, of formats that state it: what they hold where they are numbers.
 StoredFormat withoutCurve(StoredFormat format);

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 
@@ -49,6 +50,10 @@ std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, i
   const std::uint64_t row = rowSize(shape, format, level);
   const std::uint64_t pitch = (row + row_alignment - 1) / row_alignment * row_alignment;
   return pitch * blocksAlong(format, std::uint64_t(shape.heightAt(level)));
+}
+
+std::string levelsRemark(std::uint32_t stated, std::uint32_t there) {
+  return "counts " + counted(stated, "mip level") + ", and has texels for " + std::to_string(there) + ": read so";
 }
 
 std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format, std::size_t row_alignment) {

@@ -50,6 +50,9 @@ std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, i
 /// Bytes of all levels of one face, largest first.
 std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format, std::size_t row_alignment = 1);
 
+/// The remark on a file that ends before its smallest levels, or counts some that it does not hold.
+std::string levelsRemark(std::uint32_t stated, std::uint32_t there);
+
 /// "level 2, layer 3, face +X", as far as the texture has such.
 std::string placeName(const TextureShape& shape, int level, int layer, int face);
 

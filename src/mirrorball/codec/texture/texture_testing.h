@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <mutex>
 #include <string>
@@ -55,7 +56,7 @@ struct OldDds {
   std::uint32_t flags = 0;  ///< of the pixel format
   std::uint32_t code = 0;
   std::uint32_t bits = 0;
-  std::uint32_t masks[4] = {0, 0, 0, 0};
+  std::array<std::uint32_t, 4> masks = {};  ///< red, green, blue, alpha
   std::uint32_t caps2 = 0;
 };
 inline Bytes oldDds(const OldDds& dds, const Bytes& texels) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/mesh_file/positions.h"
 #include "mirrorball/scene/place_text.h"
@@ -47,27 +50,83 @@ std::vector<std::size_t> uprightMeshes(const Scene& scene) {
   return upright;
 }
 
+/// The box around a mesh as its file has it: of what is bent, before it is.
+DoubleBox boxInFile(const Scene& scene, std::size_t mesh, const RigPart* bent) {
+  if (bent == nullptr) return boxAround(scene.meshes[mesh]);
+  DoubleBox box;
+  for (const MeshDeformation::Basis& vertex : bent->deformation->vertices) box.include(vertex.position);
+  return box;
+}
+
+/// The part that bends each of a scene's meshes; nullptr: none does.
+std::vector<const RigPart*> bendingParts(const Scene& scene) {
+  std::vector<const RigPart*> parts(scene.meshes.size(), nullptr);
+  for (const RigPart& part : scene.rig.parts)
+    if (part.deformation) parts[std::size_t(part.mesh)] = &part;
+  return parts;
+}
+
+/// How much longer the joints of a skin at most make what hangs on them.
+double scaleOfSkin(const Skin& skin, std::span<const glm::dmat4> world_from_node) {
+  double scale = 0.0;
+  for (std::size_t i = 0; i < skin.joints.size(); ++i)
+    scale = std::max(scale,
+                     longestAxis(world_from_node[std::size_t(skin.joints[i])] * glm::dmat4(skin.joint_from_mesh[i])));
+  return scale;
+}
+
 /// How much longer at most the instances of a mesh that lies far from its nodes make it: of each of the rig's parts'
 /// meshes; 0 for those that need not be moved.
 ///
 /// radius   of the box around the scene
 std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
-  std::vector<bool> is_bent(scene.meshes.size(), false);
-  for (const RigPart& part : scene.rig.parts)
-    if (part.deformation) is_bent[std::size_t(part.mesh)] = true;
+  const std::vector<glm::dmat4> world_from_node = worldFromNodes(scene.rig.world_from_roots, scene.rig.nodes);
+  const std::vector<const RigPart*> bending = bendingParts(scene);
   const std::vector<std::size_t> upright = uprightMeshes(scene);
   std::vector<double> scales(scene.meshes.size(), 0.0);
   for (const Instance& instance : scene.instances) {
     const std::size_t mesh = upright[std::size_t(instance.mesh)];
+    const RigPart* const bent = bending[mesh];
     const std::vector<Vertex>& vertices = scene.meshes[mesh]->vertices;
-    if (is_bent[mesh] || vertices.empty()) continue;
-    const double scale = longestAxis(glm::dmat4(instance.world_from_object));
+    if (vertices.empty()) continue;
+    const bool hangs = bent != nullptr && bent->skin >= 0;
+    const double scale = hangs ? scaleOfSkin(scene.rig.skins[std::size_t(bent->skin)], world_from_node)
+                               : longestAxis(glm::dmat4(instance.world_from_object));
+    const glm::vec3 first = bent != nullptr ? bent->deformation->vertices.front().position : vertices.front().position;
     // Its other vertices are within two radii of the first. A small part of a model is at many of its own radii, and
     // yet its numbers are fine enough for the model.
-    if (scale * glm::length(glm::dvec3(vertices.front().position)) > kRadiiAway * radius)
-      scales[mesh] = std::max(scales[mesh], scale);
+    if (scale * glm::length(glm::dvec3(first)) > kRadiiAway * radius) scales[mesh] = std::max(scales[mesh], scale);
   }
   return scales;
+}
+
+/// What the matrices of joints that are far from their meshes are rounded to, in the world; 0 where none is far.
+///
+/// radius   of the box around the scene
+double stepOfJoints(const Scene& scene, double radius) {
+  const std::vector<glm::dmat4> world_from_node = worldFromNodes(scene.rig.world_from_roots, scene.rig.nodes);
+  double step = 0.0;
+  for (const RigPart& part : scene.rig.parts) {
+    if (!part.deformation || part.skin < 0) continue;
+    const Skin& skin = scene.rig.skins[std::size_t(part.skin)];
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+      const double scale = longestAxis(world_from_node[std::size_t(skin.joints[i])]);
+      const glm::dvec3 moved(skin.joint_from_mesh[i][3]);
+      if (scale * glm::length(moved) > kRadiiAway * radius) step = std::max(step, scale * stepOfFloats(moved));
+    }
+  }
+  return step;
+}
+
+/// Says that a part's mesh has its own origin elsewhere, and moves there what it is before it is bent.
+void setMeshOrigin(RigPart& part, glm::dvec3 origin) {
+  if (origin == glm::dvec3(0.0)) return;
+  part.mesh_origin += origin;
+  if (!part.deformation) return;
+  auto deformation = std::make_shared<MeshDeformation>(*part.deformation);
+  for (MeshDeformation::Basis& vertex : deformation->vertices)
+    vertex.position = glm::vec3(glm::dvec3(vertex.position) - origin);
+  part.deformation = std::move(deformation);
 }
 
 /// Moves the vertices of meshes that lie far from their nodes, as models do whose vertices have the coordinates of a
@@ -77,20 +136,22 @@ std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
 /// returns   whether there are any
 bool moveMeshes(Scene& scene, double radius) {
   const std::vector<double> scales = scalesOfFarMeshes(scene, radius);
+  const std::vector<const RigPart*> bending = bendingParts(scene);
   std::vector<glm::dvec3> origins(scene.meshes.size(), glm::dvec3(0.0));
   bool moves_any = false;
   for (std::size_t i = 0; i < origins.size(); ++i) {
     if (scales[i] == 0.0) continue;
-    const DoubleBox box = boxAround(scene.meshes[i]);
+    const DoubleBox box = boxInFile(scene, i, bending[i]);
     origins[i] = originFor(box);
     if (origins[i] == glm::dvec3(0.0)) continue;
     moves_any = true;
     scene.vertex_step = std::max(scene.vertex_step, scales[i] * stepOfFloats(box.center()));
+    if (bending[i] != nullptr) continue;
     for (Vertex& vertex : scene.meshes[i].edit().vertices)
       vertex.position = glm::vec3(glm::dvec3(vertex.position) - origins[i]);
   }
-  for (RigPart& part : scene.rig.parts)
-    if (!part.deformation) part.mesh_origin += origins[std::size_t(part.mesh)];
+  scene.vertex_step = std::max(scene.vertex_step, stepOfJoints(scene, radius));
+  for (RigPart& part : scene.rig.parts) setMeshOrigin(part, origins[std::size_t(part.mesh)]);
   return moves_any;
 }
 

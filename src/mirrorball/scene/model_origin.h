@@ -36,7 +36,7 @@ void setOrigin(Scene& scene, glm::dvec3 origin, bool are_floats);
 Result<void> moveOrigin(Scene& scene, glm::dvec3 origin);
 
 /// Gives a scene that its rig has placed the origin that it should have, and meshes that lie far from their nodes, too.
-/// Nodes are multiplied in double precision before. What is bent keeps its coordinates in its node.
+/// Nodes are multiplied in double precision before. Of what is bent, the vertices are moved before they are.
 ///
 /// errors   as moveOrigin's
 /// cost     a pass over all vertices; some more for a model far away

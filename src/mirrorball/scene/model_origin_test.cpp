@@ -235,6 +235,68 @@ TEST(ModelOrigin, MirrorImagesOfFarVerticesStayInTheirPlace) {
   }
 }
 
+/// A triangle at a place that floats hold, which morphs halfway by a hundredth, or hangs on a joint.
+///
+/// joint   how the joint lies in the world, column by column, and where that is undone
+Scene bentAt(glm::dvec3 away, bool hangs, const std::string& joint = "",
+             const std::vector<float>& joint_from_mesh = {}) {
+  GltfMaker maker;
+  std::vector<float> places;
+  for (const glm::dvec3 corner : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)})
+    for (int axis = 0; axis < 3; ++axis) places.push_back(static_cast<float>(corner[axis] + away[axis]));
+  maker.accessor(places, "VEC3");
+  if (!hangs) {
+    maker.accessor(std::vector<float>{0, 0, 0.01f, 0, 0, 0, 0, 0, 0.03f}, "VEC3");
+    return loaded("morphed.glb", maker.glb(R"({"attributes":{"POSITION":0},"targets":[{"POSITION":1}]})",
+                                           R"("nodes":[{"mesh":0,"weights":[0.5]}])"));
+  }
+  maker.accessor(std::vector<std::uint8_t>(12, 0), "VEC4");
+  maker.accessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+  maker.accessor(joint_from_mesh, "MAT4");
+  return loaded("hanging.glb", maker.glb(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
+                                         R"("nodes":[{"mesh":0,"skin":0},{)" + joint +
+                                             R"(}],"skins":[{"joints":[1],"inverseBindMatrices":3}])"));
+}
+
+// A hundredth of the model is a fiftieth of what floats there can tell.
+TEST(ModelOrigin, FarMorphTargetsMoveAsTheyDoNearTheOrigin) {
+  const glm::dvec3 away(4400000, -3100000, 2);
+  const Scene scene = bentAt(away, false);
+  const std::vector<glm::dvec3> places = placesIn(scene);
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_LT(glm::distance(places[0], away + glm::dvec3(0, 0, 0.005)), 1e-6);
+  EXPECT_LT(glm::distance(places[1], away + glm::dvec3(1, 0, 0)), 1e-6);
+  EXPECT_LT(glm::distance(places[2], away + glm::dvec3(0, 1, 0.015)), 1e-6);
+  EXPECT_EQ(scene.vertex_step, 0.5);
+}
+
+TEST(ModelOrigin, FarSkinsTurnAsTheyDoNearTheOrigin) {
+  const glm::dvec3 away(4400000, -3100000, 2);
+  // By 30 degrees about +Z where the mesh is.
+  const std::string turned =
+      R"("translation":[4400000,-3100000,2],"rotation":[0,0,0.25881904510252074,0.9659258262890683])";
+  const Scene scene = bentAt(away, true, turned, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4400000, 3100000, -2, 1});
+  const std::vector<glm::dvec3> places = placesIn(scene);
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_LT(glm::distance(places[0], away), 1e-6);
+  EXPECT_LT(glm::distance(places[1], away + glm::dvec3(0.8660254037844387, 0.5, 0)), 1e-6);
+  EXPECT_LT(glm::distance(places[2], away + glm::dvec3(-0.5, 0.8660254037844387, 0)), 1e-6);
+  EXPECT_EQ(scene.vertex_step, 0.5);
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("its 32-bit vertices are rounded to 0.5")));
+}
+
+// Their matrices are of 32 bits, as vertices are, and so what hangs on them is where they were rounded to.
+TEST(ModelOrigin, WhatFarJointsAreRoundedToIsTold) {
+  const std::string far = R"("translation":[4400000.125,0,0])";
+  const Scene scene = bentAt(glm::dvec3(0.0), true, far, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4400000.125f, 0, 0, 1});
+  EXPECT_EQ(scene.vertex_step, 0.5);
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("lies far from the origin of its nodes; its 32-bit vertices are "
+                                                    "rounded to 0.5")));
+  const Scene near = bentAt(glm::dvec3(0.0), true, "", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1});
+  EXPECT_EQ(near.vertex_step, 0.0);
+  EXPECT_THAT(near.warnings, IsEmpty());
+}
+
 TEST(ModelOrigin, CamerasAndLightsKeepTheirPlacesAtTheModel) {
   const Scene scene =
       loaded("lit.glb", gltfWith(R"({"children":[1,2,3],"translation":[4400000.125,-3100000.5,2.25]},{"mesh":0},)"

@@ -76,12 +76,8 @@ class Poser {
 
   /// Finds where the nodes are, and puts cameras and lights there.
   Result<void> place() {
-    worlds_.resize(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const int parent = nodes_[i].parent;
-      worlds_[i] = (parent < 0 ? rig_.world_from_roots : worldOf(parent)) * parentFromNode(nodes_[i].place);
-      if (!isWithinFloats(worlds_[i])) return tooLarge();
-    }
+    worlds_ = worldFromNodes(rig_.world_from_roots, nodes_);
+    if (!std::all_of(worlds_.begin(), worlds_.end(), isWithinFloats)) return tooLarge();
     skins_.assign(rig_.skins.size(), {});
     for (std::size_t i = 0; i < skins_.size(); ++i) {
       const Skin& skin = rig_.skins[i];
@@ -138,8 +134,10 @@ class Poser {
 
   void bend(RigPart& part, bool node_mirrors) {
     Mesh& mesh = scene_.meshes[std::size_t(part.mesh)].edit();
-    std::span<const glm::mat4> joints;
-    if (part.skin >= 0) joints = skins_[std::size_t(part.skin)];
+    std::vector<glm::mat4> joints;
+    if (part.skin >= 0)
+      for (const glm::dmat4& world_from_mesh : skins_[std::size_t(part.skin)])
+        joints.emplace_back(glm::translate(world_from_mesh, part.mesh_origin));
     const bool joints_mirror = deform(*part.deformation, nodes_[std::size_t(part.node)].weights, joints, mesh);
     const bool mirrors = part.skin >= 0 ? joints_mirror : node_mirrors;
     if (mirrors) turnBitangents(mesh);
@@ -171,10 +169,10 @@ class Poser {
 
   Scene& scene_;
   Rig& rig_;
-  std::vector<RigNode> moved_;                 // by an animation; none: the nodes are at rest
-  std::span<const RigNode> nodes_;             // as they are at the time
-  std::vector<glm::dmat4> worlds_;             // of each node
-  std::vector<std::vector<glm::mat4>> skins_;  // world_from_mesh of each joint
+  std::vector<RigNode> moved_;                  // by an animation; none: the nodes are at rest
+  std::span<const RigNode> nodes_;              // as they are at the time
+  std::vector<glm::dmat4> worlds_;              // of each node
+  std::vector<std::vector<glm::dmat4>> skins_;  // world_from_mesh of each joint
 };
 
 }  // namespace

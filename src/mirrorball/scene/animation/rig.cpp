@@ -31,4 +31,14 @@ std::optional<glm::mat4> rigidPart(const glm::dmat4& world_from_node) {
   return glm::mat4(rigid);
 }
 
+std::vector<glm::dmat4> worldFromNodes(const glm::dmat4& world_from_roots, std::span<const RigNode> nodes) {
+  std::vector<glm::dmat4> worlds;
+  worlds.reserve(nodes.size());
+  for (const RigNode& node : nodes) {
+    const glm::dmat4& parent = node.parent < 0 ? world_from_roots : worlds[std::size_t(node.parent)];
+    worlds.push_back(parent * parentFromNode(node.place));
+  }
+  return worlds;
+}
+
 }  // namespace mirrorball

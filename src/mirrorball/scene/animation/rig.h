@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct RigNode {
   std::vector<float> weights = {};  ///< of the morph targets of its mesh
 };
 
+/// Where nodes are in the world, of which each follows its parent. Numbers that are too large become infinite or NaN.
+std::vector<glm::dmat4> worldFromNodes(const glm::dmat4& world_from_roots, std::span<const RigNode> nodes);
+
 /// Joints that carry a mesh.
 struct Skin {
   std::vector<int> joints;                 ///< indices into Rig::nodes
@@ -56,8 +60,8 @@ struct RigPart {
   int mesh = 0;   ///< index into Scene::meshes; of no other part if it is deformed
   int skin = -1;  ///< index into Rig::skins; −1: it moves with the node
   std::shared_ptr<const MeshDeformation> deformation = {};  ///< none: it stays as it is
-  glm::dvec3 mesh_origin{0.0};                              ///< where the mesh's own (0, 0, 0) is in the node
-  bool is_mirrored = false;                                 ///< a deformed mesh's triangles are turned round now
+  glm::dvec3 mesh_origin{0.0};  ///< where the mesh's own (0, 0, 0) is in the node; what joint_from_mesh takes it to be
+  bool is_mirrored = false;     ///< a deformed mesh's triangles are turned round now
 };
 
 /// A mesh's mirror image among the scene's meshes.

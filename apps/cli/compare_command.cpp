@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/picture_remarks.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
@@ -140,8 +141,7 @@ Result<DecodedImage> decodeCompared(const std::string& path, std::span<const std
 Result<ComparedSide> readComparedSide(const std::string& path, const CompareOptions& options) {
   MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(decoded, withName(path, decodeCompared(path, bytes, options.layer)));
-  for (const std::string& oddity : withOtherLayer(decoded.oddities, decoded.is_layer_guessed))
-    remark(path + ": " + oddity);
+  remarkOnPicture(path, decoded);
   const bool is_picture = holdsCodes(bytes) && decoded.gain_map != GainMapUse::applied;
   const ImageKind kind = is_picture ? ImageKind::picture : ImageKind::light;
   if (const NonFinite bad = findNonFinite(decoded.image); options.repair && bad.count > 0) {

@@ -58,7 +58,7 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
          "form of the input, if it is not recognised: a projection or a cube layout, and after a colon how the "
          "file arranges it, as in cube:for=unity, hcross:as-seen or equirect:for=blender, or which part of a "
          "panorama it shows, as in equirect:fov=360x90; layer=NAME, alone or with them, is the layer of an OpenEXR "
-         "file that is read"),
+         "file that is read, and layer=\"NAME\" one whose name has commas"),
      &ConvertOptions::from},
     {{.name = "size",
       .value = "N",

@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include "cli/files.h"
+#include "cli/picture_remarks.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/scene/material/texture_numbers.h"
 
@@ -29,7 +29,7 @@ void flipGreen(Image& normals) {
 
 Result<Image> readNormals(const std::string& input, std::span<const std::uint8_t> bytes, const std::string& layer) {
   MIRRORBALL_TRY(read, decodeDataTexture(bytes, {.layer = layer, .progress = progressBar("reading " + shown(input))}));
-  for (const std::string& oddity : withOtherLayer(read.oddities, read.is_layer_guessed)) remark(input + ": " + oddity);
+  remarkOnPicture(input, read);
   Texture texture;
   MIRRORBALL_TRY(changes, setTexels(std::move(read.picture), TextureUse::normals, texture));
   if (isGrey(texture.image))

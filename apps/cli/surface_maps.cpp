@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "cli/picture_remarks.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/height_field/heights_from_normals.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
 #include "mirrorball/height_field/occlusion.h"
@@ -115,8 +115,7 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
   if (!isOfNormals(options.to)) {
     MIRRORBALL_TRY(read, withName(input, decodeNumbers(bytes, {.layer = options.layer,
                                                                .progress = progressBar("reading " + shown(input))})));
-    for (const std::string& oddity : withOtherLayer(read.oddities, read.is_layer_guessed))
-      remark(input + ": " + oddity);
+    remarkOnPicture(input, read);
     return withName(input, mapOfHeights(heightsOf(std::move(read.picture), input), options));
   }
   MIRRORBALL_TRY(normals, withName(input, readNormals(input, bytes, options.layer)));

@@ -46,6 +46,15 @@ TEST_F(ExrLayersTest, AnotherIsTakenByItsName) {
               HasSubstr("layers.exr: no layer is named 'Emitt'; did you mean 'Emit'? (there are: AO, Emit, N, rgba)"));
 }
 
+TEST_F(ExrLayersTest, ANameWithCommasStandsInQuotationMarks) {
+  std::vector<testing::ConstantChannel> channels;
+  for (const auto& [layer, light] : {std::pair("key,fill.", 4.0f), std::pair("rgba.", 1.0f)})
+    for (const char* channel : {"R", "G", "B"}) channels.push_back({layer + std::string(channel), light});
+  write("commas.exr", constantFile(channels));
+  succeed("convert commas.exr --from equirect:layer=\"key,fill\" -o out.exr --to equirect");
+  EXPECT_EQ(*image("out.exr").texel(0, 0), 4.0f);
+}
+
 TEST_F(ExrLayersTest, InfoListsAll) {
   const testing::Outcome outcome = run("info layers.exr");
   EXPECT_THAT(outcome.out, HasSubstr("\n  layers       AO (R G B), Emit (R G B), N (X Y Z), rgba (R G B): read\n"));

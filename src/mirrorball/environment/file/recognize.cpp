@@ -78,12 +78,20 @@ Result<void> applyPanoramaWord(const std::string& word, const std::string& value
   return {};
 }
 
-/// Words with commas between. A number after a comma goes on with the word before it: "crop=0,256,2048,512/2048x1024".
+/// Whether a value in double quotes has its first one alone: layer="key
+bool isOpen(std::string_view word) {
+  const std::size_t quote = word.find("=\"");
+  return quote != std::string_view::npos && (word.size() == quote + 2 || !word.ends_with('"'));
+}
+
+/// Words with commas between. A number after a comma goes on with the word before it: "crop=0,256,2048,512/2048x1024",
+/// and so does all that is in double quotes: layer="key,fill".
 std::vector<std::string> wordsIn(std::string_view text) {
   std::vector<std::string> words;
   for (const std::string& part : split(text, ',')) {
     const std::size_t digit = part.starts_with('-') ? 1 : 0;
-    if (!words.empty() && digit < part.size() && part[digit] >= '0' && part[digit] <= '9')
+    const bool is_number = digit < part.size() && part[digit] >= '0' && part[digit] <= '9';
+    if (!words.empty() && (is_number || isOpen(words.back())))
       words.back() += "," + part;
     else
       words.push_back(part);
@@ -127,9 +135,12 @@ Result<std::string> takeLayer(std::vector<std::string>& words) {
   std::string layer;
   for (const std::string& word : words) {
     if (!word.starts_with(kLayerKey)) continue;
-    if (word.size() == kLayerKey.size() || !layer.empty())
-      return fail(ErrorCode::usage, "'" + excerpt(word) + "' should name one layer, as in layer=rgba");
+    if (isOpen(word)) return fail(ErrorCode::usage, "'" + excerpt(word) + "' lacks its second quotation mark");
+    const bool is_second = !layer.empty();
     layer = word.substr(kLayerKey.size());
+    if (layer.size() > 1 && layer.starts_with('"') && layer.ends_with('"')) layer = layer.substr(1, layer.size() - 2);
+    if (layer.empty() || is_second)
+      return fail(ErrorCode::usage, "'" + excerpt(word) + "' should name one layer, as in layer=rgba");
   }
   std::erase_if(words, [&](const std::string& word) { return word.starts_with(kLayerKey); });
   return layer;

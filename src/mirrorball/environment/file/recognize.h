@@ -50,7 +50,8 @@ struct FormHint {
 ///   fill=smooth, fill=black   what becomes of the rest
 ///   level=no             it is not levelled where its file says how the camera was tilted
 ///   eye=HALF             of a stereo picture of two panoramas, the one at the "top", "bottom", "left" or "right"
-///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several
+///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several;
+///                        layer="NAME" with commas in it
 ///
 /// errors   usage: lists the names
 Result<FormHint> formHintNamed(std::string_view name);

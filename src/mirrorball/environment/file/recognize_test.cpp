@@ -215,7 +215,14 @@ TEST(FormHintNamed, NamesALayerWithAnyFormOrWithoutOne) {
   EXPECT_EQ(alone->layer, "rgba");
   EXPECT_FALSE(alone->projection || alone->layout);
   EXPECT_EQ(textOf(recognize(64, 32, {}, *alone)->form), "equirect") << "by its shape, as without a hint";
-  EXPECT_THAT(formHintNamed("layer=").error().message, HasSubstr("should name one layer"));
+  EXPECT_EQ(formHintNamed("layer=\"key,fill\"")->layer, "key,fill");
+  const auto quoted = formHintNamed("equirect:layer=\"a,b,-2,centre=+x\",centre=-z");
+  EXPECT_EQ(quoted->layer, "a,b,-2,centre=+x");
+  EXPECT_EQ(quoted->centre, SignedAxis::minus_z);
+  EXPECT_EQ(formHintNamed("layer=6\" lens")->layer, "6\" lens") << "a mark within a name";
+  EXPECT_THAT(formHintNamed("equirect:layer=\"key,fill").error().message, HasSubstr("lacks its second quotation mark"));
+  for (const char* none : {"layer=", "layer=\"\""})
+    EXPECT_THAT(formHintNamed(none).error().message, HasSubstr("should name one layer"));
   EXPECT_THAT(formHintNamed("equirect:layer=a,layer=b").error().message, HasSubstr("should name one layer"));
   EXPECT_THAT(formHintNamed("layer=rgba,centre=-z").error().message, HasSubstr("needs the form before it"));
 }

@@ -141,7 +141,9 @@ bool isOfOneColour(const Image& picture, glm::ivec2 cell, int side) {
 /// Whether each of the cells in which a layout has no face holds more than one colour.
 bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
   const glm::ivec2 cells = cellsOf(layout);
+  constexpr int kSmallest = 16;
   const int side = picture.width() / cells.x;
+  if (side < kSmallest) return false;
   for (int y = 0; y < cells.y; ++y)
     for (int x = 0; x < cells.x; ++x) {
       bool is_face = false;

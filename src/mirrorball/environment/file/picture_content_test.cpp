@@ -117,6 +117,8 @@ TEST(PictureContent, APhotographFillsTheCellsThatACrossLeavesEmpty) {
       fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 192), {256, 192}), CubeLayout::hcross));
   EXPECT_TRUE(
       fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 192), {144, 192}), CubeLayout::vcross));
+  EXPECT_FALSE(fillsEmptyCells(resized(pictureOfLight(Projection::hemioctahedral, 48), {16, 12}), CubeLayout::hcross))
+      << "too small to show it";
   EXPECT_FALSE(fillsEmptyCells(Image(192, 128, 3, 1.0f), CubeLayout::tiles)) << "it leaves none empty";
 }
 

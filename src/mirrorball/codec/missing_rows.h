@@ -28,6 +28,9 @@ inline std::string earlyEndText(std::size_t count, const std::string& one = "row
   return "ends before its last " + one + ": " + missingRowsText(count, one);
 }
 
+/// The remark on a file that lacks some rows between others.
+inline std::string unfinishedText(std::size_t count) { return "was not written to its end: " + missingRowsText(count); }
+
 /// The error for a file that ends before its first row does.
 ///
 /// size   of the file, in bytes

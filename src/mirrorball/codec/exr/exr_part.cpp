@@ -122,8 +122,7 @@ std::string ExrPart::missingRowsRemark() const {
   int lower = 0;  // of them that stand below all others; or above, where lines are stored from below
   const bool is_from_top = header().lineOrder() != Imf::DECREASING_Y;
   while (lower < missing && isMissing(is_from_top ? height() - 1 - lower : lower)) ++lower;
-  return lower == missing ? earlyEndText(std::size_t(missing))
-                          : "was not written to its end: " + missingRowsText(std::size_t(missing));
+  return lower == missing ? earlyEndText(std::size_t(missing)) : unfinishedText(std::size_t(missing));
 }
 
 int ExrPart::channels() const {

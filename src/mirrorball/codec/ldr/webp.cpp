@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <webp/decode.h>
 #include <webp/demux.h>
 
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/coded_file.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -22,15 +25,29 @@ tl::unexpected<Error> webpFailure(VP8StatusCode status, std::size_t size) {
       return fail(ErrorCode::too_large, "not enough memory to decode it");
     case VP8_STATUS_NOT_ENOUGH_DATA:
     case VP8_STATUS_SUSPENDED:
-      return fail(ErrorCode::bad_file,
-                  "ends at byte " + std::to_string(size) + ", before its last texel; the file is truncated or damaged");
+      return endsInFirstRow(size);
     default:
       return fail(ErrorCode::bad_file, "is a damaged WebP");
   }
 }
 
+/// Decodes what there is of a file that ends early.
+///
+/// returns  how many rows that is, from the top
+int decodeRowsThere(Span bytes, WebPDecoderConfig& config) {
+  const std::unique_ptr<WebPIDecoder, decltype(&WebPIDelete)> decoder(WebPIDecode(nullptr, 0, &config), &WebPIDelete);
+  if (!decoder) return 0;
+  const VP8StatusCode status = WebPIUpdate(decoder.get(), bytes.data(), bytes.size());
+  int rows = 0;
+  const bool has_begun = WebPIDecGetRGB(decoder.get(), &rows, nullptr, nullptr, nullptr) != nullptr;
+  return has_begun && (status == VP8_STATUS_OK || status == VP8_STATUS_SUSPENDED) ? rows : 0;
+}
+
 /// features become the file's
-Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures& features) {
+///
+/// oddities   told of rows that are missing
+Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures& features,
+                               std::vector<std::string>& oddities) {
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);
   if (known != VP8_STATUS_OK) return webpFailure(known, bytes.size());
   if (features.has_animation != 0)
@@ -49,14 +66,23 @@ Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures&
   config.output.is_external_memory = 1;
   config.output.u.RGBA = {picture.samples().data(), features.width * channels, picture.samples().size()};
   const VP8StatusCode decoded = WebPDecode(bytes.data(), bytes.size(), &config);
-  if (decoded != VP8_STATUS_OK) return webpFailure(decoded, bytes.size());
+  if (decoded == VP8_STATUS_OK) return picture;
+  const bool is_cut = decoded == VP8_STATUS_NOT_ENOUGH_DATA || decoded == VP8_STATUS_SUSPENDED;
+  const int rows = is_cut ? decodeRowsThere(bytes, config) : 0;
+  if (rows == 0) return webpFailure(decoded, bytes.size());
+  blackenMissingRows(picture, rows, /*from_top=*/true);
+  if (rows < picture.height())
+    oddities.push_back(earlyEndText(std::size_t(picture.height() - rows)));
+  else
+    oddities.emplace_back("lacks its end; all of its rows are there");
   return picture;
 }
 
-/// The chunks beside the picture.
+/// The chunks beside the picture; of a file that ends early, those before its end.
 class WebpChunks {
  public:
-  explicit WebpChunks(Span bytes) : data_{bytes.data(), bytes.size()}, demuxer_(WebPDemux(&data_), &WebPDemuxDelete) {}
+  explicit WebpChunks(Span bytes)
+      : data_{bytes.data(), bytes.size()}, demuxer_(WebPDemuxPartial(&data_, nullptr), &WebPDemuxDelete) {}
 
   /// The first chunk of a name, in the file's bytes; empty where there is none.
   Span operator[](const char* name) const {
@@ -76,7 +102,8 @@ class WebpChunks {
 
 Result<CodedFile> decodeWebp(Span bytes, CodeForm form) {
   WebPBitstreamFeatures features;
-  MIRRORBALL_TRY(picture, readWebpPicture(bytes, form, features));
+  std::vector<std::string> oddities;
+  MIRRORBALL_TRY(picture, readWebpPicture(bytes, form, features, oddities));
   constexpr std::string_view kForms[]{"", ", lossy", ", lossless"};
   const WebpChunks chunks(bytes);
   const Span profile = chunks["ICCP"];
@@ -85,7 +112,8 @@ Result<CodedFile> decodeWebp(Span bytes, CodeForm form) {
                    .color = profile.empty() ? CodedColor{} : codedColor(readIccProfile(profile)),
                    .orientation = exif.orientation,
                    .exif = exif,
-                   .format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)])};
+                   .format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)]),
+                   .oddities = std::move(oddities)};
 }
 
 FormatCodec webpCodec() { return {.decode_codes = decodeWebp}; }

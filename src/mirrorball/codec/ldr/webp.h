@@ -10,9 +10,9 @@
 namespace mirrorball {
 
 /// Decodes a WebP picture, lossy or lossless, with or without alpha; its chunks ICCP and EXIF say what its samples are
-/// and how it lies.
+/// and how it lies. Rows that the file ends before are black, with a remark.
 ///
-/// errors   bad_file; too_large; unsupported (an animation)
+/// errors   bad_file (also: no row is whole); too_large; unsupported (an animation)
 /// from     Google, "WebP Container Specification"
 Result<CodedFile> decodeWebp(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 

@@ -13,6 +13,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/missing_rows.h"
 #include "mirrorball/codec/picture_window.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 #include "mirrorball/codec/tiff/tiff_layout.h"
@@ -45,12 +46,14 @@ class Striles {
     for (int plane = 0; plane < planes_; ++plane) {
       if (layout_.is_by_planes && plane >= layout_.colors && plane != layout_.alpha) continue;
       for (std::uint32_t i = 0; i < per_plane_; ++i) {
-        MIRRORBALL_TRY_VOID(decode(std::uint32_t(plane) * per_plane_ + i));
+        const std::uint32_t index = std::uint32_t(plane) * per_plane_ + i;
+        const int rows = layout_.rows_there[index];
+        MIRRORBALL_TRY_VOID(rows < layout_.rowsInStrile(index) ? takePlain(index, rows) : decode(index));
         const glm::ivec2 begin(int(i % std::uint32_t(across)) * layout_.strile_width,
                                int(i / std::uint32_t(across)) * layout_.strile_height);
         take(plane, begin,
              glm::ivec2(std::min(layout_.strile_width, layout_.width - begin.x),
-                        std::min(layout_.strile_height, layout_.height - begin.y)),
+                        std::min(rows, layout_.height - begin.y)),
              bytes_.get());
         counter_.advance();
         if (counter_.stopped()) return counter_.result();
@@ -60,6 +63,18 @@ class Striles {
   }
 
  private:
+  /// The rows of a strip or tile that the file ends within, which is not compressed.
+  Result<void> takePlain(std::uint32_t index, int rows) {
+    const std::size_t size = std::size_t(layout_.rowBytes()) * std::size_t(rows);
+    if (size == 0) return {};
+    std::memcpy(bytes_.get(), file_.bytes().data() + TIFFGetStrileOffset(file_.get(), index), size);
+    if (TIFFIsByteSwapped(file_.get()) == 0) return {};
+    if (layout_.bits == 16) TIFFSwabArrayOfShort(reinterpret_cast<std::uint16_t*>(bytes_.get()), tmsize_t(size / 2));
+    if (layout_.bits == 32) TIFFSwabArrayOfLong(reinterpret_cast<std::uint32_t*>(bytes_.get()), tmsize_t(size / 4));
+    if (layout_.bits == 64) TIFFSwabArrayOfLong8(reinterpret_cast<std::uint64_t*>(bytes_.get()), tmsize_t(size / 8));
+    return {};
+  }
+
   Result<void> decode(std::uint32_t index) {
     const auto size = tmsize_t(layout_.rowBytes() * std::uint64_t(layout_.rowsInStrile(index)));
     const int warnings = file_.warnings();
@@ -134,6 +149,9 @@ Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layou
       }
     }
   }));
+  const std::vector<std::uint8_t> is_missing = layout.missingRows();
+  for (std::size_t y = 0; y < is_missing.size(); ++y)
+    if (is_missing[y] != 0) blackenRow(image, static_cast<int>(y));
   return image;
 }
 
@@ -272,7 +290,17 @@ Result<CodedPicture> inItsPlace(CodedPicture page, const TiffLayout& layout) {
       page);
 }
 
+void tellMissingRows(const TiffLayout& layout, std::vector<std::string>& oddities) {
+  const std::vector<std::uint8_t> is_missing = layout.missingRows();
+  const auto count = static_cast<std::size_t>(std::count(is_missing.begin(), is_missing.end(), std::uint8_t{1}));
+  if (count == 0) return;
+  const auto first = std::find(is_missing.begin(), is_missing.end(), std::uint8_t{1});
+  const bool are_last = static_cast<std::size_t>(is_missing.end() - first) == count;
+  oddities.push_back(are_last ? earlyEndText(count) : unfinishedText(count));
+}
+
 void tellPlace(const TiffLayout& layout, std::vector<std::string>& oddities) {
+  tellMissingRows(layout, oddities);
   if (layout.window.part && !placeIn(layout))
     oddities.emplace_back("is a part of a larger picture, and not stored upright: read without the rest");
   else if (!layout.window.oddity.empty())

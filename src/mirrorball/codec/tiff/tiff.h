@@ -18,9 +18,10 @@ namespace mirrorball {
 /// Integers are sRGB unless an ICC profile of a matrix says otherwise, floats linear light, of whose profile only the
 /// primaries count; primaries that a file without one states are converted to Rec.709. Alpha is straight with integers
 /// and premultiplied with floats, whatever the file has; a fourth sample that is not said to be alpha is left out.
-/// LogLuv is CIE XYZ whose white is (1, 1, 1), as its own library has it.
+/// LogLuv is CIE XYZ whose white is (1, 1, 1), as its own library has it. Rows that the file lacks are black, with a
+/// remark.
 ///
-/// errors   bad_file; too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
+/// errors   bad_file (also: no row is whole); too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
 ///          interrupted
 /// from     Adobe, "TIFF Revision 6.0" (1992); G. W. Larson, "LogLuv Encoding for Full Gamut, High Dynamic Range
 ///          Images" (1998)

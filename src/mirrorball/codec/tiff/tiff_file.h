@@ -22,6 +22,7 @@ class TiffFile {
   /// Nothing where the bytes are no TIFF or its first directory is damaged.
   TIFF* get() const { return tiff_; }
   std::size_t size() const { return bytes_.size(); }
+  std::span<const std::uint8_t> bytes() const { return bytes_; }
 
   /// How often libtiff has warned of something that it went on with.
   int warnings() const { return warnings_; }

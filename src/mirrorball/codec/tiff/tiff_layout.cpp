@@ -4,9 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/missing_rows.h"
 
 namespace mirrorball {
 namespace {
@@ -192,22 +194,59 @@ Result<void> readStriles(const TiffFile& file, TiffLayout& layout) {
   return {};
 }
 
-/// Before memory is taken: whether the bytes of each strip or tile can become all of it.
-Result<void> checkSizes(const TiffFile& file, const TiffLayout& layout) {
+/// TiffLayout::rows_there of a strip or tile.
+int rowsThere(const TiffFile& file, const TiffLayout& layout, std::uint32_t index) {
+  const std::uint64_t begin = TIFFGetStrileOffset(file.get(), index);
+  const std::uint64_t stored = TIFFGetStrileByteCount(file.get(), index);
+  if (stored == 0 || begin >= file.size()) return 0;
+  const int rows = layout.rowsInStrile(index);
+  if (stored <= file.size() - begin) return rows;
+  const bool is_plain = layout.compression.empty() &&
+                        field<std::uint16_t>(file.get(), TIFFTAG_FILLORDER, FILLORDER_MSB2LSB) == FILLORDER_MSB2LSB;
+  return is_plain ? static_cast<int>(std::min<std::uint64_t>((file.size() - begin) / layout.rowBytes(), rows)) : 0;
+}
+
+/// Before memory is taken: whether the bytes of each strip or tile can become all of it, but for those that are
+/// missing.
+Result<void> checkSizes(const TiffFile& file, TiffLayout& layout) {
   TIFF* tiff = file.get();
   const auto* const compression = compressionOf(field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE));
   const std::uint32_t count = layout.is_tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
   if (count == 0) return file.damaged();
+  std::uint64_t whole = 0, there = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint64_t stored = std::min<std::uint64_t>(TIFFGetStrileByteCount(tiff, i), file.size());
     const std::uint64_t bytes = layout.rowBytes() * std::uint64_t(layout.rowsInStrile(i));
+    const int rows = layout.rows_there.emplace_back(rowsThere(file, layout, i));
+    whole += bytes;
+    there += layout.rowBytes() * std::uint64_t(rows);
+    if (rows < layout.rowsInStrile(i)) continue;
     if (stored == 0 || bytes / compression->max_bytes_per_byte > stored)
       return cannotHold(layout.width, layout.height, file.size());
   }
+  if (!mayBeLeftOf(whole, there)) return cannotHold(layout.width, layout.height, file.size());
+  if (const auto missing = layout.missingRows(); !missing.empty() && !contains(missing, std::uint8_t{0}))
+    return endsInFirstRow(file.size());
   return {};
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> TiffLayout::missingRows() const {
+  const auto down = std::size_t(strilesDown()), across = std::size_t(strilesAcross());
+  std::vector<int> fewest(down, strile_height);  // of the strips or tiles beside each other, in all planes
+  for (std::size_t i = 0; i < rows_there.size(); ++i)
+    if (const std::size_t row = i / across % down; rows_there[i] < rowsInStrile(std::uint32_t(i)))
+      fewest[row] = std::min(fewest[row], rows_there[i]);
+  std::vector<std::uint8_t> is_missing(static_cast<std::size_t>(height), 0);
+  bool is_any = false;
+  for (std::size_t y = 0; y < is_missing.size(); ++y) {
+    const bool is_there = static_cast<int>(y % std::size_t(strile_height)) < fewest[y / std::size_t(strile_height)];
+    is_missing[y] = is_there ? 0 : 1;
+    is_any |= !is_there;
+  }
+  return is_any ? is_missing : std::vector<std::uint8_t>();
+}
 
 Result<TiffLayout> readTiffLayout(const TiffFile& file) {
   if (!file.get()) return file.damaged();

@@ -42,6 +42,14 @@ struct TiffLayout {
   int strile_width = 0;
   int strile_height = 0;
 
+  /// How many rows of each strip or tile the file holds: of those that it ends within, the whole rows where they are
+  /// not compressed, else none.
+  std::vector<int> rows_there = {};
+
+  /// Which rows of the page are missing, in the order in which they are stored: those of which any part is. Nothing
+  /// where none is.
+  std::vector<std::uint8_t> missingRows() const;
+
   bool hasPalette() const { return !palette[0].empty(); }
   /// Of the image: 1, 3 or 4.
   int channels() const { return alpha >= 0 ? 4 : hasPalette() ? 3 : colors; }

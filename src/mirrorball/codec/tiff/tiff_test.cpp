@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/early_end_testing.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
@@ -279,6 +280,35 @@ TEST(Tiff, JpegInsideIsReadAndItsEarlyEndIsAnError) {
   const auto at = std::search(cut.begin(), cut.end(), end.begin(), end.end());
   std::copy(end.begin(), end.end(), at - (at - cut.begin()) / 3);
   EXPECT_THAT(refused(cut).message, HasSubstr("damaged or truncated"));
+}
+
+using testing::CutFile;
+using testing::EarlyEnd;
+using testing::tiffWithPageFirst;
+
+INSTANTIATE_TEST_SUITE_P(
+    Tiff, EarlyEnd,
+    ::testing::Values(CutFile{"TiffOneStrip", [] { return tiffWithPageFirst({}); }},
+                      CutFile{"TiffBigEndian", [] { return tiffWithPageFirst({.is_big_endian = true}); }},
+                      CutFile{"TiffStrips", [] { return tiffWithPageFirst({.height = 7, .rows = 2}); }},
+                      CutFile{"TiffPacked",
+                              [] { return tiffWithPageFirst({.height = 7, .rows = 2, .is_packed = true}); }, true,
+                              false, 2},
+                      CutFile{"TiffTiles", [] { return tiffWithPageFirst({.width = 32, .height = 48, .tile = 16}); },
+                              true, false, 16}),
+    testing::nameOfCut);
+
+// Programs that write strips as they are done leave the others without bytes.
+TEST(Tiff, StripsBetweenOthersMayBeMissing) {
+  Bytes file = tiffWithPageFirst({.height = 7, .rows = 2});
+  constexpr std::size_t kSizes = 8 + 2 + 12 * 10 + 4 + 4 * 4;
+  file[kSizes + 4] = 0;  // of the second
+  const DecodedImage image = decoded(file);
+  EXPECT_THAT(image.oddities, ElementsAre("was not written to its end: the 2 rows that are missing are black"));
+  for (int y = 0; y < 7; ++y)
+    EXPECT_EQ(image.image.texel(2, y)[0], y / 2 == 1 ? 0.0f : lightOfCode(std::uint16_t(257 * (1 + y * 5 + 2))));
+  for (std::size_t strip = 0; strip < 4; ++strip) file[kSizes + 4 * strip] = 0;
+  EXPECT_EQ(refused(file).code, ErrorCode::bad_file);
 }
 
 TEST(Tiff, ThePictureBehindAPreviewIsRead) {

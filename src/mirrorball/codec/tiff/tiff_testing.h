@@ -165,6 +165,72 @@ inline Bytes tiffFile(const std::vector<std::pair<TiffForm, Bytes>>& pages) {
 }
 inline Bytes tiffFile(const TiffForm& form, const Bytes& samples) { return tiffFile({{form, samples}}); }
 
+/// How a file is laid out whose page stands before its samples, as programs write them that do not know libtiff.
+struct PageFirst {
+  std::uint32_t width = 5;
+  std::uint32_t height = 6;
+  std::uint32_t rows = 6;  ///< of a strip
+  std::uint32_t tile = 0;  ///< the side of a tile, which divides those of the page; 0: strips
+  bool is_packed = false;  ///< by PackBits
+  bool is_big_endian = false;
+};
+
+/// Grey of 16 bits, whose codes are 257, 514, 771 and so on.
+inline Bytes tiffWithPageFirst(const PageFirst& form) {
+  const auto number = [&](Bytes& bytes, std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i)
+      bytes.push_back(static_cast<std::uint8_t>(value >> 8 * (form.is_big_endian ? size - 1 - i : i)));
+  };
+  const std::uint32_t across = form.tile > 0 ? form.width / form.tile : 1;
+  const std::uint32_t side = form.tile > 0 ? form.tile : form.width, rows = form.tile > 0 ? form.tile : form.rows;
+  std::vector<Bytes> striles;
+  for (std::uint32_t y0 = 0; y0 < form.height; y0 += rows)
+    for (std::uint32_t x0 = 0; x0 < across * side; x0 += side) {
+      Bytes& bytes = striles.emplace_back();
+      for (std::uint32_t y = y0; y < std::min(y0 + rows, form.height); ++y) {
+        if (form.is_packed) bytes.push_back(static_cast<std::uint8_t>(2 * side - 1));
+        for (std::uint32_t x = x0; x < x0 + side; ++x) number(bytes, 257 * (1 + (y * form.width + x) % 250), 2);
+      }
+    }
+  const auto count = static_cast<std::uint32_t>(striles.size());
+  struct Field {
+    std::uint32_t tag, type, count, value;
+  };
+  const std::uint32_t arrays = 8 + 2 + 12 * 10 + 4, samples = arrays + 8 * count;
+  std::vector<Field> fields{{256, 4, 1, form.width},
+                            {257, 4, 1, form.height},
+                            {258, 3, 1, 16},
+                            {259, 3, 1, form.is_packed ? 32773u : 1u},
+                            {262, 3, 1, 1}};
+  const Field offsets{form.tile > 0 ? 324u : 273u, 4, count, count == 1 ? samples : arrays};
+  const Field sizes{form.tile > 0 ? 325u : 279u, 4, count,
+                    count == 1 ? static_cast<std::uint32_t>(striles[0].size()) : arrays + 4 * count};
+  if (form.tile > 0)
+    fields.insert(fields.end(), {{277, 3, 1, 1}, {322, 4, 1, side}, {323, 4, 1, side}, offsets, sizes});
+  else
+    fields.insert(fields.end(), {offsets, {277, 3, 1, 1}, {278, 4, 1, rows}, sizes, {296, 3, 1, 1}});
+  Bytes file(2, static_cast<std::uint8_t>(form.is_big_endian ? 'M' : 'I'));
+  number(file, 42, 2);
+  number(file, 8, 4);
+  number(file, static_cast<std::uint32_t>(fields.size()), 2);
+  for (const Field& field : fields) {
+    number(file, field.tag, 2);
+    number(file, field.type, 2);
+    number(file, field.count, 4);
+    number(file, field.value, field.type == 3 ? 2 : 4);
+    if (field.type == 3) number(file, 0, 2);
+  }
+  number(file, 0, 4);
+  std::uint32_t at = samples;
+  for (const Bytes& strile : striles) {
+    number(file, at, 4);
+    at += static_cast<std::uint32_t>(strile.size());
+  }
+  for (const Bytes& strile : striles) number(file, static_cast<std::uint32_t>(strile.size()), 4);
+  for (const Bytes& strile : striles) file.insert(file.end(), strile.begin(), strile.end());
+  return file;
+}
+
 /// Bytes for the samples of a picture, each other than its neighbours.
 inline Bytes tiffSamples(const TiffForm& form) {
   const std::size_t row = (std::size_t(form.width) * form.samples * form.bits + 7) / 8;

@@ -83,7 +83,7 @@ class SceneBuilder {
       return tl::unexpected<Error>(
           file_.remarks.firstDamage().value_or(Error{ErrorCode::bad_file, "its scene shows no triangles"}));
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
-    for (const std::string& spelling : file_.files.remarks()) file_.remarks.tell(spelling);
+    for (const std::string& spelling : file_.named.remarks()) file_.remarks.tell(spelling);
     for (const std::string& line : file_.remarks.lines()) scene_.warnings.push_back(file_.name + ": " + line);
     return std::move(scene_);
   }
@@ -176,7 +176,7 @@ class SceneBuilder {
       const std::string& name = document_.nodes[std::size_t(each.node)].name;
       if (name.size() > kInString) bytes += name.size() + 2 * sizeof(void*);
     }
-    MIRRORBALL_TRY_VOID(withName(counted(listed.size(), "node"), file_.named.budget().take(bytes)));
+    MIRRORBALL_TRY_VOID(withName(counted(listed.size(), "node"), file_.files.budget().take(bytes)));
     scene_.rig.nodes.reserve(listed.size());
     return {};
   }
@@ -190,7 +190,7 @@ class SceneBuilder {
     const bool are_set = node.weights.empty() ? mesh.has_weights : isAnySet(node.weights);
     placement.morphs = mesh.targets > 0 && (weights_move || are_set);
     if (!placement.morphs) return placement;
-    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(mesh.targets * sizeof(float))));
+    MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(mesh.targets * sizeof(float))));
     std::vector<float>& weights = scene_.rig.nodes[std::size_t(place)].weights;
     weights = node.weights.empty() ? document_.meshes[std::size_t(node.mesh)].weights : node.weights;
     weights.resize(mesh.targets, 0.0f);
@@ -295,9 +295,9 @@ class SceneBuilder {
         has_other_targets = has_other_targets || (wanted.targets && hasOtherTargets(primitive));
         const std::size_t size = declaredSize(document_, primitive);
         constexpr std::size_t kOfEach = sizeof(Job) + sizeof(Result<PrimitiveMesh>) + sizeof(Mesh) + sizeof(SceneMesh);
-        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(kOfEach + 2 * key.size())));
+        MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(kOfEach + 2 * key.size())));
         MIRRORBALL_TRY_VOID(vertices_.take(size, key));
-        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(deformationSize(primitive, wanted, size))));
+        MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(deformationSize(primitive, wanted, size))));
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
         const int tangent_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);
@@ -330,7 +330,7 @@ class SceneBuilder {
 
   Result<void> readPrimitives(const std::vector<Job>& jobs) {
     std::vector<Result<PrimitiveMesh>> read(jobs.size());
-    const ProgressFunction progress = file_.named.progressOfHalf(0);
+    const ProgressFunction progress = file_.files.progressOfHalf(0);
     ProgressCounter counter(progress, jobs.size());
     parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !counter.stopped(); ++i) {
@@ -392,7 +392,7 @@ class SceneBuilder {
   Names camera_names_;
   bool has_more_lights_ = false;
   std::size_t left_of_variants_ = kMaxVariantMaterials;
-  VertexBudget vertices_{file_.named.budget()};
+  VertexBudget vertices_{file_.files.budget()};
   std::vector<int> places_;                       // of each node of the file, in the rig; −1: it is not shown
   std::map<int, Morphing> morphing_;              // of meshes of the file
   std::map<int, int> skins_;                      // skin of the file → of the rig
@@ -406,13 +406,13 @@ class SceneBuilder {
 
 Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                          const ModelLoadOptions& options) {
-  ModelFiles named(path, options);
-  MIRRORBALL_TRY_VOID(named.budget().take(bytes.size()));
-  NamedFiles files(path, named);
+  ModelFiles files(path, options);
+  MIRRORBALL_TRY_VOID(files.budget().take(bytes.size()));
+  NamedFiles named(path, files);
   gltf::Remarks remarks;
-  MIRRORBALL_TRY(file, gltf::openFile(bytes, path, files, remarks));
+  MIRRORBALL_TRY(file, gltf::openFile(bytes, path, named, remarks));
   MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
-  tellOfFiles(named, scene);
+  tellOfFiles(files, scene);
   return scene;
 }
 

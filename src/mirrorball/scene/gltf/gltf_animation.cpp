@@ -80,7 +80,7 @@ class AnimationReader {
     MIRRORBALL_TRY(sampler,
                    readSampler(source.samplers[std::size_t(channel.sampler)], pointed.components, sampler_key));
     animation.length_s = std::max(animation.length_s, sampler.times->back());
-    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(pointed.targets.size() * sizeof(AnimationChannel))));
+    MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(pointed.targets.size() * sizeof(AnimationChannel))));
     for (const AnimationTarget& target : pointed.targets) animation.channels.push_back({target, sampler});
     return {};
   }
@@ -121,7 +121,7 @@ class AnimationReader {
                                            counted(times->size(), "time") + " of " + counted(components, "component") +
                                            (is_cubic ? " and their slopes" : "") + " take " + std::to_string(wanted));
     if (kept) {
-      MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(kept->size() * (of_each + 1) * sizeof(float))));
+      MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(kept->size() * (of_each + 1) * sizeof(float))));
       times = chosen(*times, *kept, 1);
       values = chosen(*values, *kept, of_each);
     }
@@ -157,7 +157,7 @@ class AnimationReader {
     }
     if (keys.empty()) return fail(ErrorCode::bad_file, key + " has no times after the start");
     if (keys.size() == times.size()) return keys_[accessor] = nullptr;
-    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(keys.size() * sizeof(std::uint32_t))));
+    MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(keys.size() * sizeof(std::uint32_t))));
     return keys_[accessor] = std::make_shared<const std::vector<std::uint32_t>>(std::move(keys));
   }
 
@@ -178,7 +178,7 @@ class AnimationReader {
     const Accessor& declared = file_.document.accessors[std::size_t(accessor)];
     if (declared.components > 4) return fail(ErrorCode::bad_file, key + " has a type that samplers cannot have");
     MIRRORBALL_TRY(numbers, readFiniteNumbers(file_, accessor, key));
-    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(numbers.values.size() * sizeof(float))));
+    MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(numbers.values.size() * sizeof(float))));
     return floats_[accessor] = std::make_shared<const std::vector<float>>(std::move(numbers.values));
   }
 

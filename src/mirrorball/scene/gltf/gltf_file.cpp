@@ -16,7 +16,7 @@ Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& 
   if (!isData(uri)) {
     return readNamedFile(file, uri, key);
   }
-  MIRRORBALL_TRY_VOID(withName(key, file.named.budget().take(uri.size() / 4 * 3)));
+  MIRRORBALL_TRY_VOID(withName(key, file.files.budget().take(uri.size() / 4 * 3)));
   MIRRORBALL_TRY(bytes, decodeData(uri, key));
   return std::span<const std::uint8_t>(file.storage.emplace_back(std::move(bytes)));
 }
@@ -84,24 +84,24 @@ void loseView(File& file, BufferView& view, Error damage) {
 
 Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key) {
   const std::vector<std::string> readings{percentDecoded(uri), uri};
-  auto found = file.files.read(readings);
+  auto found = file.named.read(readings);
   if (!found) return tl::unexpected<Error>({found.error().code, key + " " + found.error().message});
   return found->bytes;
 }
 
-Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, NamedFiles& files,
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, NamedFiles& named,
                       Remarks& remarks) {
-  ModelFiles& named = files.files();
+  ModelFiles& files = named.files();
   File file{.name = path.string(),
-            .files = files,
             .named = named,
+            .files = files,
             .remarks = remarks,
             .document = {},
             .buffers = {},
             .lost_buffers = {},
             .storage = {}};
   MIRRORBALL_TRY(container, takeApart(bytes, remarks));
-  MIRRORBALL_TRY(document, parseDocument(container.json, named.budget(), remarks));
+  MIRRORBALL_TRY(document, parseDocument(container.json, files.budget(), remarks));
   file.document = std::move(document);
   file.storage.reserve(file.document.buffers.size() + file.document.buffer_views.size());
   MIRRORBALL_TRY_VOID(readBuffers(file, container.binary));

@@ -21,8 +21,8 @@ namespace mirrorball::gltf {
 /// checks its range here.
 struct File {
   std::string name;   ///< for warnings
-  NamedFiles& files;  ///< those that it names
-  ModelFiles& named;  ///< the same: their memory, and progress
+  NamedFiles& named;  ///< the files that it names
+  ModelFiles& files;  ///< their memory, and progress
   Remarks& remarks;   ///< what is odd about it; one thread at a time
   Document document;
   std::vector<std::span<const std::uint8_t>> buffers;  ///< as far as they are there
@@ -33,10 +33,10 @@ struct File {
 /// Reads the container, the JSON, and the buffers. A buffer that cannot be read is an error of whoever asks for it.
 ///
 /// bytes    must live as long as the result, which points into them
-/// files    so must this
+/// named    so must this
 /// remarks  and this
 /// errors   bad_file; unsupported; too_large
-Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, NamedFiles& files,
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, NamedFiles& named,
                       Remarks& remarks);
 
 /// Whether an error is of a part of the file, without which the rest may be shown, and not of what the machine has or

@@ -29,7 +29,7 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
       bindTexture(material.*map.slot, map, glossiness, own + std::string(map.gltf));
     }
   }
-  MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(sizeof(Material))));
+  MIRRORBALL_TRY_VOID(withName(key, file_.files.budget().take(sizeof(Material))));
   scene_.materials.push_back(std::move(material));
   return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;
 }
@@ -149,14 +149,14 @@ Result<void> Materials::setPicture(std::size_t index, const SharedPicture& pictu
   mirrorball::Texture& texture = scene_.textures[index];
   texture.image = picture;
   if (picture.hasNumbers()) {
-    MIRRORBALL_TRY_VOID(file_.named.budget().take(picture.bytes()));
+    MIRRORBALL_TRY_VOID(file_.files.budget().take(picture.bytes()));
     MIRRORBALL_TRY(changes, setTexels(picture.numbers(), planned_[index].use, texture));
     for (const std::string& change : changes)
       file_.remarks.tell(quoted("images", std::size_t(planned_[index].image)) + " " + change);
   }
   if (planned_[index].glossiness) {
     // Shared codes are copied to be changed.
-    if (!picture.hasNumbers()) MIRRORBALL_TRY_VOID(file_.named.budget().take(picture.bytes()));
+    if (!picture.hasNumbers()) MIRRORBALL_TRY_VOID(file_.files.budget().take(picture.bytes()));
     makeRoughness(texture.image, *planned_[index].glossiness);
   }
   return {};
@@ -183,7 +183,7 @@ std::set<int> Materials::decodeInto(Pictures& pictures, std::span<const PictureK
   const auto remark = [&](std::size_t picture, const std::string& oddity) {
     file_.remarks.tellOnce(quoted("images", std::size_t(keys[picture].image)), oddity);
   };
-  auto decoded = decodePictures(encoded_pictures, file_.named.budget(), progress, remark);
+  auto decoded = decodePictures(encoded_pictures, file_.files.budget(), progress, remark);
   std::set<int> converted;
   for (std::size_t i = 0; i < decoded.size(); ++i) {
     auto read = withName(quoted("images", std::size_t(keys[i].image)), std::move(decoded[i]));
@@ -204,7 +204,7 @@ Result<Materials::Pictures> Materials::decodedImages() {
   std::vector<PictureKey> first, second;
   for (const auto& [image, read_as] : uses) first.push_back({image, *read_as.begin()});  // light, if it is that too
   Pictures pictures;
-  const std::set<int> converted = decodeInto(pictures, first, file_.named.progressOfHalf(1));
+  const std::set<int> converted = decodeInto(pictures, first, file_.files.progressOfHalf(1));
   for (const int image : converted)
     if (uses[image].contains(ReadAs::numbers)) second.push_back({image, ReadAs::numbers});
   decodeInto(pictures, second, {});

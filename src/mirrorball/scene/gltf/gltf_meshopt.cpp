@@ -77,7 +77,7 @@ Result<void> decodeMeshopt(File& file) {
   for (std::size_t i = 0; i < file.document.buffer_views.size(); ++i) {
     BufferView& view = file.document.buffer_views[i];
     if (!view.compression) continue;
-    MIRRORBALL_TRY_VOID(file.named.budget().take(view.byte_length));
+    MIRRORBALL_TRY_VOID(file.files.budget().take(view.byte_length));
     Result<Bytes> bytes = decoded(file, view, quoted("bufferViews", i) + ".extensions.EXT_meshopt_compression");
     if (!bytes) {
       loseView(file, view, std::move(bytes).error());

@@ -16,7 +16,7 @@ Result<Skin> readSkin(const File& file, int index, std::span<const int> place_of
     if (place_of_node[std::size_t(joint)] < 0) return Skin{};
     skin.joints.push_back(place_of_node[std::size_t(joint)]);
   }
-  MIRRORBALL_TRY_VOID(file.named.budget().take(skin.joints.size() * (2 * sizeof(glm::mat4) + sizeof(int))));
+  MIRRORBALL_TRY_VOID(file.files.budget().take(skin.joints.size() * (2 * sizeof(glm::mat4) + sizeof(int))));
   skin.joint_from_mesh.assign(skin.joints.size(), glm::mat4(1.0f));
   if (source.inverse_bind_matrices == -1) return skin;
   const std::string matrices_key = key + ".inverseBindMatrices";

@@ -113,7 +113,7 @@ TEST_F(CubeFilesTest, SixNumberedPanoramasAreSeenByTheirHeaders) {
   const auto loaded = loadEnvironment(path("pano_3.png"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_THAT(loaded->files, ElementsAre(path("pano_3.png")));
-  EXPECT_EQ(textOf(loaded->recognition->form), "equirect");
+  EXPECT_EQ(loaded->recognition->form.projection, Projection::equirect);
 }
 
 }  // namespace

@@ -350,9 +350,7 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   if (mayBeStereo(size, sphere, options.from)) return std::nullopt;
   MIRRORBALL_TRY(meaning, withName(name_or_path, readMeaning(size, picture.metadata, sphere, options.from)));
   const MapForm& form = meaning.recognition.form;
-  if (form.projection != Projection::equirect || form.has_texels_on_edges || meaning.changesPicture() ||
-      options.from.rest)
-    return std::nullopt;
+  if (!isPlainPanorama(form) || meaning.changesPicture() || options.from.rest) return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
   return PanoramaRows{std::move(rows), picture_from_world, std::move(meaning.oddities)};
 }

@@ -16,11 +16,6 @@ bool isOpenToPhotoSphere(const FormHint& hint, const Metadata& metadata) {
   return !hint.layout && !statesForm(metadata);
 }
 
-/// Whether a form is a panorama whose texels are ours: one that may be a part, tilted or nearly 2:1.
-bool isPlainPanorama(const MapForm& form) {
-  return form.projection == Projection::equirect && !form.has_texels_on_edges;
-}
-
 /// The part of the panorama that the picture shows, where its size agrees with what the Photo Sphere says. A picture
 /// that was scaled after its fields were written has another size, and the part's proportion; one that was put into its
 /// place on black, with the fields kept, has the whole panorama's size.
@@ -67,6 +62,10 @@ std::string tiltText(const CameraTilt& tilt) {
 }
 
 }  // namespace
+
+bool isPlainPanorama(const MapForm& form) {
+  return form.projection == Projection::equirect && !form.has_texels_on_edges;
+}
 
 bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint) {
   return hint.eye || (sphere && !sphere->stereo.empty()) || size.x == size.y || size.x == 4 * size.y;

@@ -27,6 +27,9 @@ struct PictureMeaning {
   bool changesPicture() const { return part || tilt; }
 };
 
+/// Whether a form is a panorama whose texels are ours: one that may be a part, tilted or nearly 2:1.
+bool isPlainPanorama(const MapForm& form);
+
 /// Which half of a stereo picture is read.
 struct StereoEye {
   std::optional<PictureHalf> half = {};  ///< nothing: the picture is one map

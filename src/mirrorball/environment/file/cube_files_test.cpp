@@ -4,12 +4,14 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/header_size.h"
@@ -99,12 +101,14 @@ TEST_F(CubeFilesTest, SidesOfHalfAHeightAreTheUpperHalves) {
 }
 
 TEST_F(CubeFilesTest, SixNumberedPanoramasAreSeenByTheirHeaders) {
-  for (const char* name : {"a.exr", "a.hdr", "a.png", "a.jpg"}) {
+  std::vector<std::string> names{"a.exr", "a.hdr", "a.png"};
+  if (isInThisBuild(formatOf(ImageFormatId::jpeg))) names.emplace_back("a.jpg");
+  for (const std::string& name : names) {
     ASSERT_TRUE(writeImage(path(name), Image(48, 24, 3, 0.5f)));
     EXPECT_EQ(sizeInHeader(path(name)), glm::ivec2(48, 24)) << name;
   }
   EXPECT_EQ(sizeInHeader(path("none.png")), std::nullopt);
-  for (const char* name : {"a.png", "a.jpg", "a.exr"}) {
+  for (const std::string& name : names) {
     fs::resize_file(path(name), 10);
     EXPECT_EQ(sizeInHeader(path(name)), std::nullopt) << name;
   }

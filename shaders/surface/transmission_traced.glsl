@@ -11,7 +11,7 @@
 #include "triangle_tree.glsl"
 
 uniform usampler2D bodies;
-uniform vec4 eye_media[kMaxMedia];  // those that the eye is inside of: number, priority, and 1 where there is one
+uniform uvec4 eye_media[2];  // of the bodies that the eye is inside of: the words of a Media
 
 // A ray in a body, or between bodies.
 struct InnerRay {
@@ -51,7 +51,7 @@ TriangleHit firstSurface(inout InnerRay ray) {
     for (int attempt = 0; attempt < 2; ++attempt) {
       hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves,
                             attempt == 0 ? kNarrowMargin : kWideMargin);
-      if (hit.triangle >= 0 || ray.media.count == 0) break;
+      if (hit.triangle >= 0 || !isWithinBody(ray.media)) break;
     }
     if (hit.triangle < 0) return hit;
     ray.throughput *= transmittanceOver(ray.media, hit.distance - absorbed_to);
@@ -166,9 +166,7 @@ InnerRay rayOfEye(SurfacePoint point) {
   float angle = sqrt(sampleFootprint(dFdx(point.ray), dFdy(point.ray), samples_per_pixel));
   ray.beam = Beam(vec3(0.0), vec2(angle, 0.0));
   ray.leaves = -1;
-  ray.media.count = 0;
-  for (int i = 0; i < kMaxMedia && eye_media[i].z > 0.0; ++i)
-    ray.media = entered(ray.media, int(eye_media[i].x), int(eye_media[i].y));
+  ray.media = Media(eye_media[0], eye_media[1]);
   return ray;
 }
 
@@ -183,14 +181,14 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
   ray.throughput = vec3(1.0);
   ray.beam = enteringBeam(s, point, ray.direction, eta);
   ray.leaves = -1;
-  ray.media.count = 0;
+  ray.media = noMedia();
   if (seesFront()) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);
   return ray;
 }
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
   bool disperses = fetchWords(bodies, 0).w != 0u;
-  bool is_eye_inside = eye_media[0].z > 0.0;
+  bool is_eye_inside = eye_media[0].x != 0u;
   vec3 light = vec3(0.0);
   for (int kind = 0; kind < lightKinds(disperses); ++kind) {
     InnerRay ray;

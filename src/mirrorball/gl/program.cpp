@@ -161,4 +161,9 @@ void Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
   glUniform4fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
 }
 
+void Program::set(std::string_view uniform, std::span<const glm::uvec4> values) {
+  glUniform4uiv(locationOf(uniform), static_cast<GLsizei>(values.size()),
+                reinterpret_cast<const GLuint*>(values.data()));
+}
+
 }  // namespace mirrorball::gl

@@ -54,6 +54,7 @@ class Program {
   void set(std::string_view uniform, const glm::mat4& value);
   /// An array: `uniform vec4 rows[9]` is set as "rows".
   void set(std::string_view uniform, std::span<const glm::vec4> values);
+  void set(std::string_view uniform, std::span<const glm::uvec4> values);
 
  private:
   friend class PendingProgram;

@@ -49,9 +49,36 @@ TEST(Media, WhatWasNotEnteredIsLeftWithoutAChange) {
   EXPECT_EQ(timesEntered(media, 0), 1);
   EXPECT_EQ(fillingBody(media), 0);
   EXPECT_TRUE(hasSurface(media, 1, 5, false)) << "the back of an open mesh";
-  for (int i = 0; i < 2 * kMaxMedia; ++i) media = entered(media, 0, 0);
-  for (int i = 0; i < kMaxMedia; ++i) media = left(media, 0);
-  EXPECT_EQ(fillingBody(media), -1) << "no more than kMaxMedia are known";
+}
+
+TEST(Media, OfMoreThanEightTheFirstAreKnown) {
+  Media media;
+  for (int body = 0; body < 20; ++body) media = entered(media, body, 0);
+  EXPECT_EQ(fillingBody(media), 7);
+  EXPECT_EQ(timesEntered(media, 8), 0);
+  for (int body = 0; body < 8; ++body) media = left(media, body);
+  EXPECT_FALSE(isWithinBody(media));
+}
+
+TEST(Media, BodiesAreLeftInAnyOrder) {
+  Media media;
+  for (int body = 0; body < 8; ++body) media = entered(media, body, 0);
+  for (const int body : {3, 7, 0, 5, 4}) media = left(media, body);
+  EXPECT_EQ(fillingBody(media), 6);
+  EXPECT_EQ(fillingBody(left(media, 6)), 2);
+  EXPECT_EQ(fillingBody(left(left(media, 6), 2)), 1);
+  EXPECT_EQ(fillingBody(left(entered(entered(media, 6, 0), 9, 0), 6)), 9) << "one of the two times";
+}
+
+TEST(Media, PrioritiesAndNumbersAreKnownToTheirEnds) {
+  const int last = int(kBodyBits) - 1;
+  const Media media = entered(entered(Media(), last, -kGreatestPriority), 5, kGreatestPriority);
+  EXPECT_EQ(fillingBody(media), 5);
+  EXPECT_EQ(fillingBody(left(media, 5)), last);
+  EXPECT_FALSE(hasSurface(media, 6, kGreatestPriority - 1, true));
+  EXPECT_TRUE(hasSurface(media, 6, kGreatestPriority, true));
+  EXPECT_TRUE(hasSurface(left(media, 5), 6, -kGreatestPriority, true));
+  EXPECT_FALSE(isWithinBody(entered(Media(), last + 1, 0))) << "a word has no room for this number";
 }
 
 }  // namespace

@@ -323,7 +323,7 @@ void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const 
 
 void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const {
   const InstanceTraits& traits = staged_->traits()[std::size_t(instance)];
-  const bool shows_inside = frame.scene.eye_media.count > 0 && traits.is_body;
+  const bool shows_inside = formula::isWithinBody(frame.scene.eye_media) && traits.is_body;
   if (traits.is_double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else

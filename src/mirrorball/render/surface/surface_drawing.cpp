@@ -61,20 +61,13 @@ void leaveRoom(SurfaceVariant& variant) {
   if (variant.sun_count > 0 && !TextureUnits::suffice(variant)) variant.choose(Part::suns, SunsPart::open);
 }
 
-/// As shaders/surface/transmission_traced.glsl reads them.
-std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media) {
-  std::array<glm::vec4, formula::kMaxMedia> rows{};
-  for (std::size_t i = 0; i < std::size_t(media.count); ++i) rows[i] = {media.bodies[i], media.priorities[i], 1, 0};
-  return rows;
-}
-
 /// Sets what is the same in all of a program's draws and in no block.
 void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const FrameUniforms& frame,
                  const FrameSettings& settings) {
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const SunUniforms& suns = frame.light.suns;
   const std::vector<glm::vec4> sun_rows = suns.rows();
-  const auto eye_media = mediaRows(frame.scene.eye_media);
+  const std::array<glm::uvec4, 2> eye_media{frame.scene.eye_media.latest, frame.scene.eye_media.earliest};
   for (auto& [variant, entry] : programs) {
     if (!entry.made) continue;
     gl::Program& program = entry.made->program;
@@ -85,7 +78,7 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
       if (variant.has(Part::suns, SunsPart::shadowed)) program.set("sun_shadow_rows", suns.shadow_rows);
     }
     if (variant.has(Part::transmission, TransmissionPart::traced))
-      program.set("eye_media", std::span<const glm::vec4>(eye_media));
+      program.set("eye_media", std::span<const glm::uvec4>(eye_media));
   }
 }
 

@@ -84,7 +84,7 @@ class SurfaceDrawing {
   };
 
   /// Of bodies that are traced.
-  bool eyeIsInside() const { return uniforms_.scene.eye_media.count > 0; }
+  bool eyeIsInside() const { return formula::isWithinBody(uniforms_.scene.eye_media); }
   const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
   Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
                          std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);

@@ -48,7 +48,7 @@ struct Material : formula::Material {
   bool double_sided = false;
   bool unlit = false;        ///< shows its base colour as radiance, and answers to no light
   bool thin_walled = false;  ///< transmits like a sheet, without a body that refracts
-  int priority = 0;          ///< of bodies that overlap, the one with the greatest fills the place
+  int priority = 0;          ///< of bodies that overlap, the one with the greatest fills the place; up to ±1000
 
   TextureSlot base_color_map;
   TextureSlot metallic_map;   ///< in B

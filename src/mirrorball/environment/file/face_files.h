@@ -84,7 +84,8 @@ std::string listFaces(const FaceFiles& files, bool exist, const std::filesystem:
 
 /// The six files of the one cube in a folder.
 ///
-/// errors   not_found: there are not six, nor all but the lower one; usage: there are several cubes, and one of their files has to be named
+/// errors   not_found: there are not six, nor all but the lower one; usage: there are several cubes, and one of their
+///          files has to be named
 Result<FaceFiles> faceFilesIn(const std::filesystem::path& folder);
 
 }  // namespace mirrorball

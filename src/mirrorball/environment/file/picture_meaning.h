@@ -54,7 +54,8 @@ bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, cons
 Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                                    const FormHint& hint);
 
-/// Adds to the remark on a panorama's window (windowText), wherever among its file's it is, what the empty rest means and how to fill it.
+/// Adds to the remark on a panorama's window (windowText), wherever among its file's it is, what the empty rest means
+/// and how to fill it.
 ///
 /// window   in which the picture lies already: OpenEXR's
 void adviseOnRest(const PictureWindow& window, std::vector<std::string>& oddities);

@@ -104,8 +104,8 @@ bool statesForm(const Metadata& metadata);
 
 /// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
 /// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles; nearly 2:1 equirect, see
-/// isNearlyWholePanorama). Its content may say more (picture_content.h). All other forms have to be named. The picture of a panorama may have another shape than
-/// 2:1: where the hint says that it is a part, or where it is nearly 2:1.
+/// isNearlyWholePanorama). Its content may say more (picture_content.h). All other forms have to be named. The picture
+/// of a panorama may have another shape than 2:1: where the hint says that it is a part, or where it is nearly 2:1.
 ///
 /// errors   bad_shape: the shape fits no form, or not the named one; or, without a hint, the metadata says that it is
 ///          not a map

@@ -79,9 +79,7 @@ class SceneBuilder {
     MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_, file_.remarks));
     MIRRORBALL_TRY_VOID(readAnimations(file_, ofFile()));
     MIRRORBALL_TRY_VOID(poseAtRest(scene_));
-    if (scene_.instances.empty())
-      return tl::unexpected<Error>(
-          file_.remarks.firstDamage().value_or(Error{ErrorCode::bad_file, "its scene shows no triangles"}));
+    if (scene_.instances.empty()) return nothingToShow();
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
     for (const std::string& spelling : file_.named.remarks()) file_.remarks.tell(spelling);
     for (const std::string& line : file_.remarks.lines()) scene_.warnings.push_back(file_.name + ": " + line);
@@ -98,6 +96,14 @@ class SceneBuilder {
     WantedDeformation wanted;
     std::string key;
   };
+  /// Why nothing of the file is shown: what is damaged, or what was left out.
+  tl::unexpected<Error> nothingToShow() const {
+    if (const std::optional<Error>& damage = file_.remarks.firstDamage()) return tl::unexpected<Error>(*damage);
+    const std::vector<std::string> left_out = file_.remarks.lines();
+    return fail(ErrorCode::bad_file,
+                "its scene shows no triangles" + (left_out.empty() ? "" : ": " + left_out.front()));
+  }
+
   /// A node of the rig, and the file's that it was.
   struct RigPlace {
     int node;  // of the file
@@ -150,6 +156,10 @@ class SceneBuilder {
       }
       if (!node.has_rotation)
         file_.remarks.leaveOut({ErrorCode::bad_file, key + ".rotation has no direction"}, "rotation");
+      if (!node.is_affine)
+        file_.remarks.leaveOut({ErrorCode::bad_file, key + ".matrix, which goes column by column, ends its columns "
+                                                           "with other numbers than 0, 0, 0 and 1"},
+                               "last row");
       in_rig[i] = static_cast<int>(places.size());
       places_[std::size_t(listed[i].node)] = in_rig[i];
       scene_.rig.nodes.push_back({.name = node.name, .parent = parent, .place = node.place});

@@ -25,6 +25,7 @@ std::size_t componentSize(int component_type) {
     case kShort:
     case kUnsignedShort:
       return 2;
+    case kInt:
     case kUnsignedInt:
     case kFloat:
       return 4;
@@ -60,6 +61,8 @@ float loadNumber(const std::uint8_t* bytes, int component_type, bool normalized)
       const auto value = static_cast<float>(loadAs<std::uint16_t>(bytes));
       return normalized ? value / 65535.0f : value;
     }
+    case kInt:
+      return static_cast<float>(loadAs<std::int32_t>(bytes));
     case kUnsignedInt:
       return static_cast<float>(loadAs<std::uint32_t>(bytes));
     default:

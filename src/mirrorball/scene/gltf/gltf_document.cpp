@@ -165,6 +165,10 @@ void readPlace(const JsonReader& json, Node& node) {
   if (json["matrix"].exists()) {
     const std::vector<double> numbers = placeNumbers(json["matrix"], std::vector<double>(16, 0.0), is_nowhere);
     for (int i = 0; i < 16; ++i) node.place.matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
+    const glm::dmat4& matrix = node.place.matrix;
+    const glm::dvec4 last_row(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3] - 1.0);
+    node.is_affine = glm::length(last_row) < 1e-6;
+    for (int column = 0; column < 4; ++column) node.place.matrix[column][3] = column == 3 ? 1.0 : 0.0;
     node.is_somewhere = !is_nowhere;
     return;
   }

@@ -25,7 +25,7 @@
 namespace mirrorball::gltf {
 
 /// The numbers that glTF takes from OpenGL.
-enum ComponentType { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
+enum ComponentType { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kInt, kUnsignedInt, kFloat };
 enum Mode { kTriangles = 4, kTriangleStrip, kTriangleFan };
 
 struct Sparse {
@@ -115,6 +115,7 @@ struct Node {
   NodePlace place;
   bool is_somewhere = true;  ///< else its place holds NaN
   bool has_rotation = true;  ///< else its quaternion is 0 or NaN
+  bool is_affine = true;     ///< else the last row of its matrix was not 0, 0, 0, 1
   int mesh = -1;
   std::vector<int> children;
   std::string name;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formula/bsdf.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 namespace mirrorball::gltf {
@@ -141,9 +142,13 @@ FileMaterial parseMaterial(const JsonReader& json) {
   FileMaterial read{.material = defaultMaterial()};
   Material& material = read.material;
   material.name = json["name"].text("");
-  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
-  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
-  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
+  const std::string alpha_mode = lowerCase(json["alphaMode"].text("OPAQUE"));
+  if (alpha_mode == "mask")
+    material.alpha_mode = AlphaMode::mask;
+  else if (alpha_mode == "blend")
+    material.alpha_mode = AlphaMode::blend;
+  else if (alpha_mode != "opaque")
+    json["alphaMode"].refuse("is not OPAQUE, MASK or BLEND");
   for (const MaterialParameter& parameter : materialParameters())
     if (!parameter.gltf.empty()) readParameter(parameter, json, read);
   for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));

@@ -1,6 +1,7 @@
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "mirrorball/base/text.h"
@@ -29,8 +30,25 @@ Result<std::span<const std::uint8_t>> readSource(File& file, std::size_t index, 
   return index > 0 ? std::span<const std::uint8_t>() : binary;
 }
 
+/// Up to which byte the views of each buffer reach.
+std::vector<std::size_t> endsOfViews(const Document& document) {
+  std::vector<std::size_t> ends(document.buffers.size(), 0);
+  const auto include = [&](int buffer, std::size_t offset, std::size_t length) {
+    if (buffer < 0 || std::size_t(buffer) >= ends.size()) return;
+    const bool fits = length <= std::numeric_limits<std::size_t>::max() - offset;
+    ends[std::size_t(buffer)] = std::max(ends[std::size_t(buffer)], fits ? offset + length : offset);
+  };
+  for (const BufferView& view : document.buffer_views) {
+    include(view.buffer, view.byte_offset, view.byte_length);
+    if (view.compression)
+      include(view.compression->buffer, view.compression->byte_offset, view.compression->byte_length);
+  }
+  return ends;
+}
+
 /// Reads the buffers as far as they are there: what lies beyond is missed by whoever asks for it.
 Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
+  const std::vector<std::size_t> ends = endsOfViews(file.document);
   for (std::size_t i = 0; i < file.document.buffers.size(); ++i) {
     const Buffer& buffer = file.document.buffers[i];
     file.buffers.emplace_back();
@@ -47,7 +65,10 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
           {ErrorCode::bad_file, quoted("buffers", i) + ".byteLength is " + std::to_string(buffer.byte_length) +
                                     ", but " + (buffer.uri ? "'" + excerpt(*buffer.uri) + "'" : "the binary chunk") +
                                     " has " + counted(bytes->size(), "byte")});
-    file.buffers.back() = bytes->first(std::min(bytes->size(), buffer.byte_length));
+    const bool says_too_few = ends[i] > buffer.byte_length && bytes->size() > buffer.byte_length;
+    if (says_too_few)
+      file.remarks.tellOnce(quoted("buffers", i), "has more bytes than its byteLength, and they are used");
+    file.buffers.back() = bytes->first(std::min(bytes->size(), std::max(buffer.byte_length, ends[i])));
   }
   return {};
 }

@@ -1,6 +1,9 @@
 #include "mirrorball/scene/gltf/gltf_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -42,20 +45,38 @@ void forEachVertex(Mesh& mesh, const Numbers& numbers, Set&& set) {
 }
 
 /// The corners of the triangles that a strip, a fan or a list of `corners` stands for (glTF 2.0, section 3.7.2.1).
-std::vector<std::uint32_t> triangleCorners(std::vector<std::uint32_t> corners, int mode) {
+///
+/// restart   an index that begins a strip or a fan anew, as WebGL has it
+std::vector<std::uint32_t> triangleCorners(std::vector<std::uint32_t> corners, int mode, std::uint32_t restart) {
   if (mode == kTriangles) {
     corners.resize(corners.size() - corners.size() % 3);
     return corners;
   }
   std::vector<std::uint32_t> triangles;
-  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-    const std::size_t odd = i % 2;
-    if (mode == kTriangleStrip)
-      triangles.insert(triangles.end(), {corners[i], corners[i + 1 + odd], corners[i + 2 - odd]});
-    else
-      triangles.insert(triangles.end(), {corners[i + 1], corners[i + 2], corners[0]});
+  auto begin = corners.begin();
+  while (begin != corners.end()) {
+    const auto end = std::find(begin, corners.end(), restart);
+    for (auto corner = begin; end - corner > 2; ++corner) {
+      const std::ptrdiff_t odd = (corner - begin) % 2;
+      if (mode == kTriangleStrip)
+        triangles.insert(triangles.end(), {corner[0], corner[1 + odd], corner[2 - odd]});
+      else
+        triangles.insert(triangles.end(), {corner[1], corner[2], *begin});
+    }
+    begin = end == corners.end() ? end : end + 1;
   }
   return triangles;
+}
+
+/// The greatest index of an accessor's type, which restarts strips and fans unless there is such a vertex.
+std::uint32_t restartIndex(const File& file, int accessor, std::size_t vertices) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  if (accessor < 0 || std::size_t(accessor) >= file.document.accessors.size()) return kNone;
+  const int type = file.document.accessors[std::size_t(accessor)].component_type;
+  const std::uint32_t greatest = type == kByte || type == kUnsignedByte     ? 0xFF
+                                 : type == kShort || type == kUnsignedShort ? 0xFFFF
+                                                                            : kNone;
+  return greatest < vertices ? kNone : greatest;
 }
 
 /// Gives every triangle corners of its own with the triangle's normal. One without an area has none, and is left out.
@@ -127,7 +148,7 @@ Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive
     MIRRORBALL_TRY(read, readIntegers(file, primitive.indices, key + ".indices"));
     corners = std::move(read);
   }
-  return triangleCorners(std::move(corners), primitive.mode);
+  return triangleCorners(std::move(corners), primitive.mode, restartIndex(file, primitive.indices, vertices));
 }
 
 /// Reads the attributes of a primitive, and leaves out those that are damaged.
@@ -179,10 +200,15 @@ class Attributes {
   Result<Numbers> readTexCoords(int set, std::size_t vertices) {
     const std::string name = "TEXCOORD_" + std::to_string(set);
     MIRRORBALL_TRY(numbers, readIfSound(name, 2, 3, vertices));
-    if (numbers.components == 3)
-      damage_.push_back(
-          {{ErrorCode::bad_file, key_ + ".attributes." + name + " has 3 components"}, "third coordinate"});
+    if (numbers.components == 3) tellOfComponents(name, numbers, "third coordinate");
     return numbers;
+  }
+
+  /// Notes that an attribute has a component too many, which is not used.
+  void tellOfComponents(const std::string& name, const Numbers& numbers, const char* left_out) {
+    damage_.push_back(
+        {{ErrorCode::bad_file, key_ + ".attributes." + name + " has " + counted(numbers.components, "component")},
+         left_out});
   }
 
  private:
@@ -219,13 +245,15 @@ Result<PrimitiveMesh> readPrimitive(const File& file, const Primitive& primitive
   MIRRORBALL_TRY_VOID(checkPositions(file, primitive, key));
   Attributes attributes(file, primitive, key, result.damage);
   MIRRORBALL_TRY_VOID(attributes.decompress());
-  MIRRORBALL_TRY(positions, attributes.read("POSITION", 3, 3, {}));
+  MIRRORBALL_TRY(positions, attributes.read("POSITION", 3, 4, {}));
+  if (positions.components == 4) attributes.tellOfComponents("POSITION", positions, "fourth coordinate");
   const std::size_t count = positions.count();
   const auto attribute = [&](const std::string& name, std::size_t min_components, std::size_t max_components) {
     return attributes.readIfSound(name, min_components, max_components, count);
   };
   const TexCoordSets& sets = file.document.tex_coord_sets;
-  MIRRORBALL_TRY(normals, attribute("NORMAL", 3, 3));
+  MIRRORBALL_TRY(normals, attribute("NORMAL", 3, 4));
+  if (normals.components == 4) attributes.tellOfComponents("NORMAL", normals, "fourth coordinate");
   MIRRORBALL_TRY(tangents, attribute("TANGENT", 4, 4));
   MIRRORBALL_TRY(uv0, attributes.readTexCoords(sets[0], count));
   MIRRORBALL_TRY(uv1, attributes.readTexCoords(sets[1], count));

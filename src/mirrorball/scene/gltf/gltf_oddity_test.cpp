@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -306,6 +307,43 @@ TEST(GltfOddScene, ARotationOfNanTurnsNothing) {
   }
 }
 
+// As if it were written row by row, or has a perspective.
+TEST(GltfOddScene, AMatrixIsAffine) {
+  const Result<Scene> scene =
+      decodedOdd(triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0,"matrix":[1,0,0,5,0,1,0,0,0,0,1,0,2,0,0,1]}])"));
+  expectTold(scene,
+             "nodes[0].matrix, which goes column by column, ends its columns with other numbers than 0, 0, 0 and "
+             "1; the last row is left out");
+  EXPECT_EQ(scene->instances.at(0).world_from_object, glm::translate(glm::mat4(1.0f), glm::vec3(2, 0, 0)));
+}
+
+TEST(GltfOddScene, LinesAloneAreRefusedByThatName) {
+  const Result<Scene> scene = decodedOdd(triangleFile().gltf(R"({"attributes":{"POSITION":0},"mode":1})"));
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().message,
+            "its scene shows no triangles: meshes[0].primitives[0] is made of points or lines; the primitive is left "
+            "out");
+}
+
+TEST(GltfOddContainer, ABufferMayHaveMoreBytesThanItSays) {
+  const Result<Scene> scene = decodedOdd(
+      replaced(triangleFile().gltf(kPlain), R"("buffers":[{"byteLength":36)", R"("buffers":[{"byteLength":32)"));
+  expectTold(scene, "buffers[0]: has more bytes than its byteLength, and they are used");
+  EXPECT_EQ(scene->meshes.at(0)->vertices.at(2).position, glm::vec3(0, 1, 0));
+}
+
+TEST(GltfOddMaterial, AnAlphaModeInAnyCaseIsReadAndAnotherIsTold) {
+  const auto decodedMode = [](const std::string& mode) {
+    return decodedOdd(triangleFile().gltf(R"({"attributes":{"POSITION":0},"material":0})",
+                                          R"("materials":[{"alphaMode":")" + mode + R"("}])"));
+  };
+  EXPECT_EQ(decodedMode("blend")->materials.at(0).alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(decodedMode("Mask")->materials.at(0).alpha_mode, AlphaMode::mask);
+  const Result<Scene> other = decodedMode("TRANSPARENT");
+  expectTold(other, "materials[0].alphaMode is not OPAQUE, MASK or BLEND; the value is left out");
+  EXPECT_EQ(other->materials.at(0).alpha_mode, AlphaMode::opaque);
+}
+
 TEST(GltfOddScene, ANodeWithoutVolumeIsLeftOutAndTold) {
   const Result<Scene> scene = decodedOdd(
       triangleFile().gltf(kPlain, R"("nodes":[{"mesh":0},{"mesh":0,"scale":[1,1,0]},{"mesh":0,"scale":[0,0,0]}])"));
@@ -360,7 +398,9 @@ TEST(GltfOddMesh, IndicesOfSignedTypesAreRead) {
   GltfMaker maker = triangleFile();
   maker.accessor(std::vector<std::int16_t>{0, 1, 2}, "SCALAR");
   maker.accessor(std::vector<std::int8_t>{0, 1, 2}, "SCALAR");
-  for (const char* indices : {"1", "2"}) {
+  const int view = maker.view(std::vector<std::int32_t>{0, 1, 2});
+  maker.rawAccessor(R"({"componentType":5124,"count":3,"type":"SCALAR","bufferView":)" + std::to_string(view) + "}");
+  for (const char* indices : {"1", "2", "3"}) {
     const Result<Scene> scene =
         decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0},"indices":)" + std::string(indices) + "}"));
     expectSilent(scene);
@@ -399,6 +439,40 @@ TEST(GltfOddMesh, TangentsWithoutADirectionAreMadeForTheirVerticesAlone) {
     EXPECT_EQ(vertices.at(1).tangent, glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(vertices.at(2).tangent, glm::vec4(0, 1, 0, -1));
   }
+}
+
+TEST(GltfOddMesh, OfFourCoordinatesTheFourthIsLeftOut) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1}, "VEC4");
+  maker.accessor(std::vector<float>{0, 0.6f, 0.8f, 0, 0, 0.6f, 0.8f, 0, 0, 0.6f, 0.8f, 0}, "VEC4");
+  const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0,"NORMAL":1}})"));
+  expectTold(scene, "attributes.POSITION has 4 components; the fourth coordinate is left out, and so is another");
+  EXPECT_EQ(scene->meshes.at(0)->vertices.at(1).position, glm::vec3(1, 0, 0));
+  EXPECT_LT(glm::distance(scene->meshes[0]->vertices[2].normal, glm::vec3(0, 0.6f, 0.8f)), 1e-6f);
+}
+
+// As WebGL draws it: the strip begins anew, with its first triangle upright.
+TEST(GltfOddMesh, TheGreatestIndexRestartsAStripOrAFan) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint8_t>{0, 1, 2, 255, 1, 3, 2, 255, 255, 0, 1}, "SCALAR");
+  maker.accessor(std::vector<std::uint16_t>{0, 1, 2, 3, 65535, 1, 3, 2}, "SCALAR");
+  const auto corners = [&](const std::string& more) {
+    const Result<Scene> scene = decodedOdd(maker.gltf(R"({"attributes":{"POSITION":0},)" + more + "}"));
+    EXPECT_TRUE(scene && scene->warnings.empty()) << more;
+    std::vector<float> area_and_triangles{0, 0};
+    for (std::size_t i = 0; scene && i < scene->meshes.at(0)->indices.size(); i += 3) {
+      const auto place = [&](std::size_t k) {
+        return scene->meshes[0]->vertices[scene->meshes[0]->indices[i + k]].position;
+      };
+      area_and_triangles[0] += 0.5f * glm::cross(place(1) - place(0), place(2) - place(0)).z;
+      area_and_triangles[1] += 1;
+    }
+    return area_and_triangles;
+  };
+  EXPECT_THAT(corners(R"("mode":5,"indices":1)"), ElementsAre(1, 2));
+  EXPECT_THAT(corners(R"("mode":5,"indices":2)"), ElementsAre(1.5f, 3));
+  EXPECT_THAT(corners(R"("mode":6,"indices":1)"), ElementsAre(1, 2));
 }
 
 TEST(GltfOddMesh, OfThreeTextureCoordinatesTheThirdIsLeftOut) {

@@ -1,5 +1,6 @@
 /// Files that end early: what is there is read, and nothing else is shown for it.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -31,7 +32,9 @@ int missingRows(const std::vector<std::string>& remarks) {
 }
 
 /// Whether a row has the samples of another picture's.
-bool isSameRow(const Image& a, const Image& b, int y) { return std::ranges::equal(a.row(y), b.row(y)); }
+bool isSameRow(const Image& a, const Image& b, int y) {
+  return std::equal(a.row(y).begin(), a.row(y).end(), b.row(y).begin(), b.row(y).end());
+}
 
 bool isBlackRow(const Image& image, int y) {
   for (int x = 0; x < image.width(); ++x)
@@ -82,7 +85,7 @@ TEST_P(EarlyEnd, IsReadByRowsAlike) {
   for (int first = 0; first < whole->image.height(); ++first) {
     const auto row = (*rows)->read(1);
     ASSERT_TRUE(row) << row.error().message;
-    EXPECT_TRUE(std::ranges::equal(row->row(0), whole->image.row(first))) << first;
+    EXPECT_THAT(row->row(0), ::testing::ElementsAreArray(whole->image.row(first))) << first;
   }
 }
 
@@ -102,7 +105,7 @@ Bytes withNoise(const std::string& header, std::size_t count) {
 
 /// Floats of 0.5 and 2 in turn, little-endian.
 Bytes floatMap(const std::string& header, std::size_t samples) {
-  Bytes bytes = bytesOf(header);
+  Bytes bytes = withNoise(header, 0);
   for (std::size_t i = 0; i < samples; ++i) testing::appendLittle(bytes, i % 2 == 0 ? 0x3f000000u : 0x40000000u, 4);
   return bytes;
 }
@@ -141,8 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
         CutFile{
             "PamAlpha",
             [] { return withNoise("P7\nWIDTH 2\nHEIGHT 4\nDEPTH 4\nMAXVAL 65535\nTUPLTYPE RGB_ALPHA\nENDHDR\n", 64); }},
-        CutFile{"PgmText", [] { return bytesOf("P2 2 4\n255\n17 180\n201 22 193 24\n15 6"); }},
-        CutFile{"PbmText", [] { return bytesOf("P1 3 4\n010 010 101\n111"); }},
+        CutFile{"PgmText", [] { return withNoise("P2 2 4\n255\n17 180\n201 22 193 24\n15 6", 0); }},
+        CutFile{"PbmText", [] { return withNoise("P1 3 4\n010 010 101\n111", 0); }},
         CutFile{"Pfm", [] { return floatMap("PF 3 4 -1\n", 36); }, false},
         CutFile{"PfmGrey", [] { return floatMap("Pf 3 4 -1\n", 12); }, false},
         CutFile{"PfmAlpha", [] { return floatMap("PF4 3 4 -1\n", 48); }, false},

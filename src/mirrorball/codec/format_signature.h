@@ -16,7 +16,7 @@ bool isExr(std::span<const std::uint8_t> bytes);
 /// Whether the bytes begin as a JPEG does.
 bool isJpeg(std::span<const std::uint8_t> bytes);
 
-/// Where a JPEG begins that up to 64 other bytes stand before, such as lines of a server's answer; 0 where it is the
+/// Where a JPEG begins that up to 64 other bytes stand before, such as lines of a server's response; 0 where it is the
 /// first. Nothing where none begins there.
 std::optional<std::size_t> beginOfJpeg(std::span<const std::uint8_t> bytes);
 

@@ -59,7 +59,8 @@ inline constexpr std::array<ImageFormat, 15> kImageFormats{{
      "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H, UASTC HDR 4x4; Zstandard", "",
      StatedPrimaries::all},
     {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, true, "the same formats, in either byte order"},
-    {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files: 5:6:5, 10:10:10:2"},
+    {ImageFormatId::dds, "DDS", "dds", Holds::texture, true,
+     "the same formats, and masks of older files: 5:6:5, 10:10:10:2"},
     {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,
      "integers of up to 16 bits and of 32, floats of 16, 32 and 64; grey, RGB, palette, LogLuv; plain, LZW, deflate, "
      "PackBits, Zstandard, JPEG; strips and tiles, BigTIFF",

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 
 const std::vector<std::string> kRgbNames{"R", "G", "B"};
 
-Imf::Header headerOf(int width, int height, Imf::Compression compression, Imf::LineOrder order = Imf::INCREASING_Y) {
+Imf::Header exrHeader(int width, int height, Imf::Compression compression, Imf::LineOrder order = Imf::INCREASING_Y) {
   Imf::Header header(width, height);
   header.compression() = compression;
   header.lineOrder() = order;
@@ -33,16 +33,16 @@ INSTANTIATE_TEST_SUITE_P(
     Exr, EarlyEnd,
     ::testing::Values(
         CutFile{"ExrPlain",
-                [] { return testing::foreignFile(headerOf(5, 6, Imf::NO_COMPRESSION), gradient(5, 6, 3), kRgbNames); },
+                [] { return testing::foreignFile(exrHeader(5, 6, Imf::NO_COMPRESSION), gradient(5, 6, 3), kRgbNames); },
                 true, true},
         CutFile{"ExrAlpha", [] { return *encodeExr(gradient(9, 40, 4), {}); }, true, true, 16},
         CutFile{
             "ExrPiz",
-            [] { return testing::foreignFile(headerOf(5, 70, Imf::PIZ_COMPRESSION), gradient(5, 70, 3), kRgbNames); },
+            [] { return testing::foreignFile(exrHeader(5, 70, Imf::PIZ_COMPRESSION), gradient(5, 70, 3), kRgbNames); },
             true, true, 32},
         CutFile{"ExrFromBelow",
                 [] {
-                  return testing::foreignFile(headerOf(5, 6, Imf::ZIPS_COMPRESSION, Imf::DECREASING_Y),
+                  return testing::foreignFile(exrHeader(5, 6, Imf::ZIPS_COMPRESSION, Imf::DECREASING_Y),
                                               gradient(5, 6, 3), kRgbNames);
                 },
                 false, true},
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// rows          of the picture that it has got to
 /// is_killed     whether it stops without writing its table of offsets
 Bytes unfinished(const Image& image, int rows, Imf::LineOrder order, bool is_killed) {
-  Imf::Header header = headerOf(image.width(), image.height(), Imf::ZIP_COMPRESSION, order);
+  Imf::Header header = exrHeader(image.width(), image.height(), Imf::ZIP_COMPRESSION, order);
   testing::addChannels(header, kRgbNames);
   ExrOutput stream;
   Bytes bytes;
@@ -100,7 +100,7 @@ TEST(ExrMissingRows, OfARendererThatStoppedAreBlack) {
 // Renderers of buckets write tiles in the order in which they are done.
 TEST(ExrMissingRows, BetweenOthersAreCounted) {
   const Image image = gradient(40, 96, 3);
-  Imf::Header header = headerOf(40, 96, Imf::ZIP_COMPRESSION, Imf::RANDOM_Y);
+  Imf::Header header = exrHeader(40, 96, Imf::ZIP_COMPRESSION, Imf::RANDOM_Y);
   header.setTileDescription(Imf::TileDescription(32, 32, Imf::ONE_LEVEL));
   testing::addChannels(header, kRgbNames);
   ExrOutput stream;

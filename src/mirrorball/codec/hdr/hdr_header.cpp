@@ -209,8 +209,8 @@ std::string primariesLine(const Primaries& primaries) {
 
 bool beginsWithHdrHeader(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLongestSearch = 4096;  // a FORMAT line stands before it in any real header
-  const std::string_view text = withoutByteOrderMark(
-      {reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestSearch)});
+  const std::string_view text =
+      withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestSearch)});
   if (text.starts_with(kHdrSignature)) return true;
   const auto is_text = [](unsigned char c) { return c >= 0x20 || c == '\t' || c == '\r'; };
   LineReader lines(text, 0);

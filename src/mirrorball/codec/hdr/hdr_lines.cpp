@@ -129,7 +129,7 @@ struct LinePlace {
   std::ptrdiff_t step;
 };
 
-LinePlace placeOf(std::size_t line, const HdrHeader& header, Image& image) {
+LinePlace linePlace(std::size_t line, const HdrHeader& header, Image& image) {
   const int at = static_cast<int>(line);
   int x = header.x_descends ? image.width() - 1 : 0;
   int y = header.y_ascends ? image.height() - 1 : 0;
@@ -225,11 +225,12 @@ void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, co
     for (std::size_t line = begin; line < end; ++line) {
       LineWalker walker(bytes, index.starts[line]);
       walker.walk<true>(length, planes.data());
-      storeLine(planes.data(), length, gain, placeOf(line, header, image));
+      storeLine(planes.data(), length, gain, linePlace(line, header, image));
     }
   });
   const auto lines = static_cast<std::size_t>(header.columns ? image.width() : image.height());
-  for (std::size_t line = index.starts.size(); line < lines; ++line) blackenLine(length, placeOf(line, header, image));
+  for (std::size_t line = index.starts.size(); line < lines; ++line)
+    blackenLine(length, linePlace(line, header, image));
 }
 
 bool convertToRec709(Image& components, const HdrHeader& header) {

@@ -311,7 +311,8 @@ TEST(Hdr, WrongScanLinesAreNamed) {
               HasSubstr("longer than its scan line"));
   EXPECT_THAT(decodingError(file("", "-Y 1 +X 2", {1, 1, 1, 1, 5, 5, 5, 136})).message,
               HasSubstr("begins with a repetition"));
-  EXPECT_THAT(decodingError(file("", "-Y 2 +X 2", {5, 5, 5, 136})).message, HasSubstr("end of its first row"));
+  EXPECT_THAT(decodingError(file("", "-Y 2 +X 3", {5, 5, 5, 136, 5, 5, 5, 136})).message,
+              HasSubstr("end of its first row"));
 }
 
 // Behind it the bytes pass for flat texels.

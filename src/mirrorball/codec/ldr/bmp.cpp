@@ -293,7 +293,7 @@ Result<void> fillFromPalette(const BmpHeader& header, const Rows& rows, const st
   return {};
 }
 
-/// oddities   told of rows that are missing
+/// oddities   receives the remark on rows that are missing
 Result<Image8> readBmpPicture(const BmpHeader& header, Span bytes, std::vector<std::string>& oddities) {
   MIRRORBALL_TRY_VOID(checkTexels(header, bytes));
   MIRRORBALL_TRY(palette, readPalette(header, bytes));

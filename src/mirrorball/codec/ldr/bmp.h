@@ -17,7 +17,8 @@ bool isBmp(std::span<const std::uint8_t> bytes);
 /// where a mask names it; the fourth byte of plain 32 bits is none. Rows that the file ends before are black, with a
 /// remark.
 ///
-/// errors   bad_file (also: no row is whole); too_large; unsupported (JPEG or PNG inside, OS/2's own compressions, 64 bits)
+/// errors   bad_file (also: no row is whole); too_large; unsupported (JPEG or PNG inside, OS/2's own
+///          compressions, 64 bits)
 /// from     Microsoft, "Windows GDI: Bitmap Storage" and [MS-WMF] 2.2.2.3; OS/2 2.0 Presentation Manager Reference
 Result<CodedFile> decodeBmp(std::span<const std::uint8_t> bytes, CodeForm form = CodeForm::stored);
 

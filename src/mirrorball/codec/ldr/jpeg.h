@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// Decodes a grey, RGB or CMYK JPEG, baseline or progressive, to linear light. Where it has a gain map (ultra_hdr.h), to
-/// the HDR light of both; where that is gone or damaged, the picture is read alone. What lies behind the end marker
+/// Decodes a grey, RGB or CMYK JPEG, baseline or progressive, to linear light. Where it has a gain map (ultra_hdr.h),
+/// to the HDR light of both; where that is gone or damaged, the picture is read alone. What lies behind the end marker
 /// means nothing else: phones keep there what they like.
 ///
 /// errors   as decodeJpegCodes'

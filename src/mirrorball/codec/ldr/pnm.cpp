@@ -169,7 +169,7 @@ class PnmRows {
   PnmWords words_;
 };
 
-/// oddities   told of rows that are missing
+/// oddities   receives the remark on rows that are missing
 template <typename Sample>
 Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes, std::vector<std::string>& oddities) {
   constexpr std::uint32_t kMax = std::numeric_limits<Sample>::max();

@@ -24,9 +24,9 @@ Result<CodedFile> decodePnm(std::span<const std::uint8_t> bytes, CodeForm form =
 bool isPfm(std::span<const std::uint8_t> bytes);
 
 /// Decodes a Portable FloatMap, grey, RGB or RGBA, in either byte order: linear light, Rec.709. Rows are stored bottom
-/// up. The size of the number whose sign tells the byte order is the unit of the samples: they are multiplied by it, but
-/// for alpha. Its decimal comma, a header that ends with CR LF, and rows that the file ends before, which are black, are
-/// reported.
+/// up. The size of the number whose sign tells the byte order is the unit of the samples: they are multiplied by it,
+/// but for alpha. Its decimal comma, a header that ends with CR LF, and rows that the file ends before, which are
+/// black, are reported.
 ///
 /// errors   bad_file (also: no row is whole); too_large
 /// from     P. Debevec, "Portable FloatMap Image Format"; Netpbm's page pfm(5); for alpha, libcgt's PortableFloatMapIO

@@ -99,7 +99,7 @@ AlphaType readAlphaType(Span bytes) {
 }
 
 /// 15 and 16 bits are ARRRRRGGGGGBBBBB, 24 and 32 are blue, green, red and alpha.
-TgaColor colorOf(const std::uint8_t* stored, std::uint32_t bits) {
+TgaColor unpackColor(const std::uint8_t* stored, std::uint32_t bits) {
   if (bits >= 24) return {stored[2], stored[1], stored[0], bits == 32 ? stored[3] : std::uint8_t{255}};
   const std::uint32_t all = littleU16(stored);
   const auto widened = [](std::uint32_t code) { return static_cast<std::uint8_t>(rescaledCode(code & 31, 31, 255)); };
@@ -193,7 +193,7 @@ class TgaReader {
     const std::size_t entry = (header_.palette_bits + 7) / 8;
     const std::uint8_t* stored = bytes_.data() + kHeaderSize + header_.id_length;
     for (std::size_t i = 0; i < header_.palette_length; ++i)
-      palette_.push_back(colorOf(stored + i * entry, header_.palette_bits));
+      palette_.push_back(unpackColor(stored + i * entry, header_.palette_bits));
   }
 
   /// Where a row of the file is shown, from the top.
@@ -207,7 +207,7 @@ class TgaReader {
   }
 
   /// The palette's entry for a texel.
-  std::size_t indexOf(const std::uint8_t* texel) const {
+  std::size_t paletteIndex(const std::uint8_t* texel) const {
     return std::size_t(header_.bits == 16 ? littleU16(texel) : texel[0]) - header_.palette_first;
   }
 
@@ -215,7 +215,7 @@ class TgaReader {
     if (header_.kind != Kind::palette) return {};
     for (int row = 0; row < rows_; ++row)
       for (int x = 0; x < header_.width; ++x)
-        if (indexOf(texelAt(x, row)) >= palette_.size())
+        if (paletteIndex(texelAt(x, row)) >= palette_.size())
           return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(shownRow(row)) +
                                                ") has a colour that the palette of " + std::to_string(palette_.size()) +
                                                " does not; the file is damaged");
@@ -223,8 +223,8 @@ class TgaReader {
   }
 
   TgaColor colorAt(const std::uint8_t* texel) const {
-    if (header_.kind == Kind::colors) return colorOf(texel, header_.bits);
-    if (header_.kind == Kind::palette) return palette_[indexOf(texel)];
+    if (header_.kind == Kind::colors) return unpackColor(texel, header_.bits);
+    if (header_.kind == Kind::palette) return palette_[paletteIndex(texel)];
     return {texel[0], texel[0], texel[0], header_.bits == 16 ? texel[1] : std::uint8_t{255}};
   }
 

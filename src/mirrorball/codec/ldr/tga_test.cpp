@@ -23,7 +23,7 @@ std::vector<int> codesOfTga(const Bytes& bytes) {
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
-int channelsOf(const Bytes& bytes) {
+int decodedChannels(const Bytes& bytes) {
   const auto image = decodeImage(bytes);
   EXPECT_TRUE(image) << image.error().message;
   return image ? image->image.channels() : 0;
@@ -72,11 +72,11 @@ TEST(Tga, AlphaIsWhatTheFileSaysIsAlpha) {
   EXPECT_THAT(codesOfTga(tgaFile({.width = 2, .height = 1, .bits = 32, .descriptor = 0x28}, texels)),
               ElementsAre(1, 2, 3, 128, 1, 2, 3, 0));
   const Bytes unsaid = tgaFile({.width = 2, .height = 1, .bits = 32}, texels);
-  EXPECT_EQ(channelsOf(unsaid), 3);
-  EXPECT_EQ(channelsOf(testing::withTgaFooter(unsaid, 3)), 4);
-  EXPECT_EQ(
-      channelsOf(testing::withTgaFooter(tgaFile({.width = 2, .height = 1, .bits = 32, .descriptor = 0x28}, texels), 0)),
-      3);
+  EXPECT_EQ(decodedChannels(unsaid), 3);
+  EXPECT_EQ(decodedChannels(testing::withTgaFooter(unsaid, 3)), 4);
+  EXPECT_EQ(decodedChannels(
+                testing::withTgaFooter(tgaFile({.width = 2, .height = 1, .bits = 32, .descriptor = 0x28}, texels), 0)),
+            3);
   // Premultiplied: 64 of 128 is 128 of 255.
   EXPECT_THAT(codesOfTga(testing::withTgaFooter(tgaFile({.width = 1, .height = 1, .bits = 32}, {64, 64, 64, 128}), 4)),
               ElementsAre(128, 128, 128, 128));
@@ -86,7 +86,7 @@ TEST(Tga, AlphaIsWhatTheFileSaysIsAlpha) {
 }
 
 TEST(Tga, GreyStaysOneChannelUnlessItHasAlpha) {
-  EXPECT_EQ(channelsOf(tgaFile({.type = 3, .width = 1, .height = 1, .bits = 8}, {7})), 1);
+  EXPECT_EQ(decodedChannels(tgaFile({.type = 3, .width = 1, .height = 1, .bits = 8}, {7})), 1);
   EXPECT_THAT(codesOfTga(tgaFile({.type = 3, .width = 1, .height = 1, .bits = 16}, {7, 99})), ElementsAre(7, 7, 7, 99));
 }
 

@@ -45,7 +45,7 @@ int decodeRowsThere(Span bytes, WebPDecoderConfig& config) {
 
 /// features become the file's
 ///
-/// oddities   told of rows that are missing
+/// oddities   receives the remark on rows that are missing
 Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures& features,
                                std::vector<std::string>& oddities) {
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);

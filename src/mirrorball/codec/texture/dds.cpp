@@ -116,7 +116,7 @@ std::optional<StoredFormat> formatOfMasks(std::uint32_t bits, std::array<std::ui
 
 /// The format from the 32 bytes of DDS_PIXELFORMAT, for files without the DX10 header.
 ///
-/// oddities   told of masks that mean others
+/// oddities   receives the remark on masks that are exchanged
 Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::vector<std::string>& oddities) {
   const std::uint32_t flags = littleU32(pixel_format + 4);
   const std::uint32_t code = littleU32(pixel_format + 8);

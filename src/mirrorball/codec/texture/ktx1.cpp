@@ -145,14 +145,14 @@ class Reader {
 
   /// Before memory is taken: the levels are those that the file is long enough for. The largest stands first.
   Result<void> settleLevels(const StoredFormat& format, TextureShape& shape) {
-    const auto bytesOf = [&](std::uint32_t level) {
+    const auto level_bytes = [&](std::uint32_t level) {
       return 4 + imageSize(shape, format, static_cast<int>(level), kAlignment) * shape.imagesPerLevel();
     };
     const std::uint32_t stated = shape.levels;
     std::uint64_t total = 0;
-    for (std::uint32_t level = 0; level < stated; ++level) total += bytesOf(level);
+    for (std::uint32_t level = 0; level < stated; ++level) total += level_bytes(level);
     const std::uint64_t all = total;
-    while (shape.levels > 0 && total > bytes_.size() - at_) total -= bytesOf(--shape.levels);
+    while (shape.levels > 0 && total > bytes_.size() - at_) total -= level_bytes(--shape.levels);
     if (shape.levels == 0)
       return fail(ErrorCode::bad_file, "its levels have " + std::to_string(all) + " bytes from byte " +
                                            std::to_string(at_) + " on, but the file has " +

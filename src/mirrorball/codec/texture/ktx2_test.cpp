@@ -64,7 +64,7 @@ TEST(Ktx2, LevelsAreThoseThatAreThereIfTheLargestIs) {
   const Bytes usual = bytesOfTexture(writeKtx2, textureOf(2, 1, 1, 4, 4, 4), {.format = TexelFormat::float32});
   constexpr std::size_t kLargest = 256, kSmallest = 64;
   EXPECT_THAT(decodeKtx2(Bytes(usual.begin(), usual.end() - 1)).error().message, HasSubstr("level 0 says it has"));
-  // The same with the largest first.
+  // In the other order, the largest first.
   Bytes other(usual.begin(), usual.end() - kLargest - kSmallest);
   const auto begin = static_cast<std::uint8_t>(other.size());
   other.insert(other.end(), usual.end() - kLargest, usual.end());

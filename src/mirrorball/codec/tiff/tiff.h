@@ -21,8 +21,8 @@ namespace mirrorball {
 /// LogLuv is CIE XYZ whose white is (1, 1, 1), as its own library has it. Rows that the file lacks are black, with a
 /// remark.
 ///
-/// errors   bad_file (also: no row is whole); too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
-///          interrupted
+/// errors   bad_file (also: no row is whole); too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw
+///          picture, other compressions); interrupted
 /// from     Adobe, "TIFF Revision 6.0" (1992); G. W. Larson, "LogLuv Encoding for Full Gamut, High Dynamic Range
 ///          Images" (1998)
 Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const ImageReadOptions& options = {});

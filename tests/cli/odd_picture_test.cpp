@@ -1,5 +1,6 @@
 // Pictures of integers as phones and other programs write them: the remarks on them, and what light they become.
 
+#include <algorithm>
 #include <string>
 
 #include "cli/cli_testing.h"
@@ -120,6 +121,26 @@ TEST_F(OddPictureTest, PhonesPhotographsOfABallAreConverted) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(image("map.exr").texel(32, 16)[c], kOrange[c], 0.01f);
 }
 
+// As raw converters write them. A camera's curve would be recovered from too few shades here.
+TEST_F(OddPictureTest, ASeriesOfLinearCodesIsMergedWithoutAResponse) {
+  const auto linearTiff = [](float exposure) {
+    TiffForm form{.width = 64, .height = 64, .bits = 16};
+    form.profile = iccMatrixProfile(
+        "Linear", {{{0.51512, 0.24120, -0.00105}, {0.29198, 0.69225, 0.04189}, {0.15710, 0.06657, 0.78407}}},
+        iccValue("para", {1.0}, {0}));
+    const glm::vec3 p3 = exposure * (glm::inverse(*rec709FromPrimaries(kDisplayP3)) * kOrange);
+    std::vector<std::uint16_t> codes;
+    for (int i = 0; i < 64 * 64 * 3; ++i)
+      codes.push_back(static_cast<std::uint16_t>(65535.0f * std::min(p3[i % 3], 1.0f)));
+    return tiffFile(form, bytesOfNumbers(codes));
+  };
+  write("bright.tif", linearTiff(1.0f));
+  write("dark.tif", linearTiff(0.125f));
+  const Outcome outcome = run("photo bright.tif dark.tif --exposures 1,1/8 --circle 32,32,28 --size 32 -o map.exr");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(image("map.exr").texel(32, 16)[c], kOrange[c], 0.01f);
+}
+
 TEST_F(OddPictureTest, AProfileThatIsNotAppliedIsReported) {
   write("a.jpg", jpegWithProfile(flatJpeg(32, 16, kOrange), iccProfile("Camera RGB")));
   const Outcome outcome = run("info a.jpg");
@@ -152,6 +173,9 @@ TEST_F(OddTextureTest, BaseColoursAreConvertedAndRoughnessIsNot) {
   const Outcome numbers = run(scene + "--set roughness_map=p3.jpg -o rough.png");
   EXPECT_EQ(numbers.exit_code, 0);
   EXPECT_THAT(numbers.err, ::testing::Not(HasSubstr("its colours")));
+  EXPECT_THAT(numbers.err,
+              HasSubstr("p3.jpg: states a colour space (sRGB, Display P3), which does not count for numbers: "
+                        "they are read as they are stored"));
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// errors   as decodeImage's; unsupported: the file holds no integers
 Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
 
-/// The same with all bits, as fractions of the greatest code.
+/// Decodes it to fractions of the greatest code, with all its bits.
 Result<PictureFractions> decodeCodeFractions(std::span<const std::uint8_t> bytes);
 
 /// The codes alone, for files that need no remark.

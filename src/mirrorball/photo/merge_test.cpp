@@ -148,8 +148,8 @@ TEST(Merge, LinearCodesAreLight) {
   EXPECT_EQ(merged->clipped, 0u);
   for (int y = 0; y < light.height(); ++y)
     for (int x = 0; x < light.width(); ++x) {
-      const double truth = kExposures[2] * double(light.texel(x, y)[1]);
-      ASSERT_NEAR(merged->light.texel(x, y)[1], truth, 0.015 * truth) << x << ", " << y;
+      const double expected = kExposures[2] * double(light.texel(x, y)[1]);
+      ASSERT_NEAR(merged->light.texel(x, y)[1], expected, 0.015 * expected) << x << ", " << y;
     }
   EXPECT_THAT(merged->contradicts_stops, Each(::testing::DoubleNear(0.0, 0.1)));
 }
@@ -162,7 +162,7 @@ TEST(Merge, LinearCodesThatContradictOrClipAreReported) {
   ASSERT_TRUE(merged) << merged.error().message;
   EXPECT_GT(std::abs(merged->contradicts_stops[3]), kContradiction_stops);
   EXPECT_GT(merged->clipped, 0u);
-  // What is said by hand counts more than the file.
+  // An option counts more than the file.
   const auto assumed =
       mergePhotographs(linearSeries(light, kExposures), {.exposures = kExposures, .response = ResponseKind::srgb});
   ASSERT_TRUE(assumed) << assumed.error().message;

@@ -54,7 +54,7 @@ Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as = ReadAs::light);
 /// Codes of 8 bits as a camera made them, upright, and what they stand for.
 PictureCodes asCodes(CodedFile file);
 
-/// The same with all bits, as fractions of the greatest code.
+/// Its codes with all bits, as fractions of the greatest, upright, and what they stand for.
 PictureFractions asFractions(CodedFile file);
 
 /// With alpha, which is 1 where there was none.

@@ -314,7 +314,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, OutputP
   return std::move(writer.context.out);
 }
 
-FormatCodec pngCodec() { 
+FormatCodec pngCodec() {
   return {.decode_codes = decodePng, .encode_picture = encodePng, .compressed_xmp = compressedXmpInPng};
 }
 

@@ -30,8 +30,8 @@ using PictureRemark = std::function<void(std::size_t picture, const std::string&
 /// budget    from which the images' memory is taken, and that of decoding each while it lasts
 /// progress  counts bytes of pictures; may stop the rest
 /// remark    called at the end, in the order of the pictures
-/// returns   for each picture its image of 4 channels, without the remarks, or why it cannot be read: interrupted, if it
-///           was not
+/// returns   for each picture its image of 4 channels, without the remarks, or why it cannot be read: interrupted, if
+///           it was not
 std::vector<Result<Decoded<Texels>>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget,
                                                     const ProgressFunction& progress = {},
                                                     const PictureRemark& remark = {});

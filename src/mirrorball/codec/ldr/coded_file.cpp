@@ -26,8 +26,8 @@ void tellUnreadProfile(CodedFile& file) {
   if (std::string remark = unreadProfileRemark(file.color); !remark.empty()) file.oddities.push_back(std::move(remark));
 }
 
-/// What a texture takes while floats are made of it [bytes]: its codes, floats with as many channels and with alpha, and
-/// the codes of 8 bits that are made of those.
+/// What a texture takes while floats are made of it [bytes]: its codes, floats with as many channels and with alpha,
+/// and the codes of 8 bits that are made of those.
 std::uint64_t bytesToConvert(const CodedPicture& picture) {
   return std::visit(
       [](const auto& codes) {

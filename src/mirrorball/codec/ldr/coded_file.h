@@ -44,9 +44,9 @@ void turnUpright(CodedFile& file);
 /// cost     the codes and the result stand side by side
 DecodedImage asImage(CodedFile file, ReadAs as = ReadAs::light);
 
-/// A texture, upright, of 4 channels. Of colours: sRGB's codes of 8 bits and Rec.709; what has other codes is converted,
-/// with a remark, to floats where some light is beyond what codes hold. Of numbers: codes of 8 bits as they are, others
-/// as fractions of the greatest.
+/// A texture, upright, of 4 channels. Of colours: sRGB's codes of 8 bits and Rec.709; what has other codes is
+/// converted, with a remark, to floats where some light is beyond what codes hold. Of numbers: codes of 8 bits as they
+/// are, others as fractions of the greatest.
 ///
 /// errors   too_large: colours that are converted stand beside the codes, as light and as a texture
 Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as = ReadAs::light);

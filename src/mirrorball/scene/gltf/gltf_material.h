@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <map>
 #include <optional>
 #include <set>
@@ -66,7 +65,7 @@ class Materials {
     int image;
     ReadAs as;
 
-    auto operator<=>(const PictureKey&) const = default;
+    bool operator<(const PictureKey& other) const { return std::tie(image, as) < std::tie(other.image, other.as); }
   };
   using Pictures = std::map<PictureKey, Result<SharedPicture>>;
   Result<Pictures> decodedImages();

@@ -125,7 +125,8 @@ TEST_F(GltfPicture, OthersKeepTheirPlacesAndALostOneDoesNotGlow) {
   EXPECT_EQ(material.emission, glm::vec3(0.0f));
 }
 
-// One picture of Display P3, as base colour and as roughness: the former is converted, the latter is what the file holds.
+// One picture of Display P3, as base colour and as roughness: the former is converted, the latter is what the file
+// holds.
 TEST_F(GltfPicture, ThatShowsColorsAndNumbersIsReadAsEither) {
   const testing::BmpForm p3{.header = 124, .width = 1, .height = 1, .profile = testing::iccDisplayP3()};
   ASSERT_TRUE(writeFile(folder_ / "p3.bmp", testing::bmpFile(p3, {60, 120, 200, 0})));

@@ -66,14 +66,16 @@ TEST(Ktx2, LevelsAreThoseThatAreThereIfTheLargestIs) {
   EXPECT_THAT(decodeKtx2(Bytes(usual.begin(), usual.end() - 1)).error().message, HasSubstr("level 0 says it has"));
   // In the other order, the largest first.
   Bytes other(usual.begin(), usual.end() - kLargest - kSmallest);
-  const auto begin = static_cast<std::uint8_t>(other.size());
+  const std::size_t begin = other.size();
   other.insert(other.end(), usual.end() - kLargest, usual.end());
   other.insert(other.end(), usual.end() - kLargest - kSmallest, usual.end() - kLargest);
-  other[80] = begin;
-  other[81] = 0;
-  other[104] = static_cast<std::uint8_t>(begin + kLargest);
-  other[105] = static_cast<std::uint8_t>((begin + kLargest) >> 8);
-  ASSERT_THAT(decodeKtx2(other)->oddities, ::testing::IsEmpty());
+  for (const auto& [at, offset] : {std::pair<std::size_t, std::size_t>(80, begin), {104, begin + kLargest}}) {
+    other[at] = static_cast<std::uint8_t>(offset);
+    other[at + 1] = static_cast<std::uint8_t>(offset >> 8);
+  }
+  const auto whole = decodeKtx2(other);
+  ASSERT_TRUE(whole) << whole.error().message;
+  ASSERT_THAT(whole->oddities, ::testing::IsEmpty());
   const auto cut = decodeKtx2(Bytes(other.begin(), other.end() - 1));
   ASSERT_TRUE(cut) << cut.error().message;
   EXPECT_EQ(cut->images.levels(), 1);

@@ -18,6 +18,14 @@ formula::Media mediaIn(const Scene& scene, glm::vec3 point) {
   return surroundingMedia(scene, point, **tree);
 }
 
+/// How many bodies a place lies in.
+int depthIn(const formula::Media& media) {
+  int depth = 0;
+  for (const glm::uvec4& words : {media.latest, media.earliest})
+    for (int i = 0; i < 4; ++i) depth += words[i] != 0u ? 1 : 0;
+  return depth;
+}
+
 TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
   Scene scene = glassOf(torusMesh(48, 24));
   // A ball in the tube of the torus, and one around all.
@@ -33,13 +41,14 @@ TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
   }
   const glm::vec3 in_small_ball(scene.instances[1].world_from_object[3]);
   const formula::Media innermost = mediaIn(scene, in_small_ball);
-  EXPECT_EQ(innermost.count, 3);
+  EXPECT_EQ(depthIn(innermost), 3);
   for (const int body : {0, 1, 2}) EXPECT_EQ(formula::timesEntered(innermost, body), 1) << body;
-  EXPECT_EQ(innermost.priorities[0], 3);
+  EXPECT_EQ(int(innermost.latest.z >> formula::kPriorityShift) - formula::kGreatestPriority - 1, 3)
+      << "of the outermost";
   const formula::Media in_hole = mediaIn(scene, glm::vec3(0.0f));
-  EXPECT_EQ(in_hole.count, 1);
+  EXPECT_EQ(depthIn(in_hole), 1);
   EXPECT_EQ(formula::fillingBody(in_hole), 2);
-  EXPECT_EQ(mediaIn(scene, glm::vec3(0.0f, 5.0f, 0.0f)).count, 0);
+  EXPECT_EQ(depthIn(mediaIn(scene, glm::vec3(0.0f, 5.0f, 0.0f))), 0);
 }
 
 // The water's sides and bottom lie in the glass, its surface in air, though its edge is in the middle of the wall.
@@ -60,8 +69,8 @@ TEST(IorAround, WaterLiesInItsGlassAndInAir) {
 TEST(SurroundingMedia, AnOpenSheetSurroundsNothing) {
   const Scene sheet = glassOf(planeMesh());
   for (const float side : {-0.1f, 0.1f}) {
-    EXPECT_EQ(mediaIn(sheet, {0.0f, side, 0.0f}).count, 0);
-    EXPECT_EQ(mediaIn(sheet, {0.0f, 0.0f, side}).count, 0);
+    EXPECT_EQ(depthIn(mediaIn(sheet, {0.0f, side, 0.0f})), 0);
+    EXPECT_EQ(depthIn(mediaIn(sheet, {0.0f, 0.0f, side})), 0);
   }
 }
 

@@ -22,7 +22,7 @@ FN Media noMedia() { return MAKE(Media)(uvec4(0u), uvec4(0u)); }
 
 FN bool isWithinBody(Media media) { return media.latest.x != 0u; }
 
-// body      the two million that a word has room for are known, others are not
+// body      below two million; others are not known
 // priority  from −kGreatestPriority to kGreatestPriority
 FN Media entered(Media media, int body, int priority) {
   if (media.earliest.w != 0u || uint(body) >= kBodyBits) return media;
@@ -63,7 +63,7 @@ FN int timesEntered(Media media, int body) {
 }
 
 // Of two words the one that fills the place, `later` being that of the body that was entered later.
-FN uint fillingOf(uint later, uint earlier) {
+FN uint prevailing(uint later, uint earlier) {
   return (earlier >> kPriorityShift) > (later >> kPriorityShift) ? earlier : later;
 }
 
@@ -71,8 +71,8 @@ FN uint fillingOf(uint later, uint earlier) {
 FN uint fillingWord(Media media) {
   uvec4 a = media.latest;
   uvec4 b = media.earliest;
-  return fillingOf(fillingOf(fillingOf(a.x, a.y), fillingOf(a.z, a.w)),
-                   fillingOf(fillingOf(b.x, b.y), fillingOf(b.z, b.w)));
+  return prevailing(prevailing(prevailing(a.x, a.y), prevailing(a.z, a.w)),
+                   prevailing(prevailing(b.x, b.y), prevailing(b.z, b.w)));
 }
 
 // The body that fills the place; −1: none.

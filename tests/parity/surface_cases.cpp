@@ -135,8 +135,8 @@ const Case kSurfaceCases[] = {
            vec4(float(timesEntered(entered(testMedia(p), 1, 0), int(2.9375f * q.x))), 0.0f, 0.0f, 0.0f)),
     PARITY(noMedia, unit, kExact, vec4(noMedia().latest + noMedia().earliest)),
     PARITY(wordsOfBody, unit, kExact, vec4(wordsOfBody(testMedia(p).latest, int(2.9375f * q.x)))),
-    PARITY(fillingOf, unit, kExact,
-           vec4(float(fillingOf(uint(8.0f * p.x) << kPriorityShift, uint(8.0f * p.y) << kPriorityShift) >>
+    PARITY(prevailing, unit, kExact,
+           vec4(float(prevailing(uint(8.0f * p.x) << kPriorityShift, uint(8.0f * p.y) << kPriorityShift) >>
                       kPriorityShift))),
     PARITY(fillingWord, unit, kExact, vec4(float(fillingWord(testMedia(p)) & kBodyBits))),
     PARITY(isWithinBody, unit, kExact, vec4(isWithinBody(testMedia(p)) ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f)),

@@ -78,7 +78,7 @@ TEST(Media, PrioritiesAndNumbersAreKnownToTheirEnds) {
   EXPECT_FALSE(hasSurface(media, 6, kGreatestPriority - 1, true));
   EXPECT_TRUE(hasSurface(media, 6, kGreatestPriority, true));
   EXPECT_TRUE(hasSurface(left(media, 5), 6, -kGreatestPriority, true));
-  EXPECT_FALSE(isWithinBody(entered(Media(), last + 1, 0))) << "a word has no room for this number";
+  EXPECT_FALSE(isWithinBody(entered(Media(), last + 1, 0))) << "too great a number for a word";
 }
 
 }  // namespace

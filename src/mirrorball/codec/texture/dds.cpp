@@ -367,7 +367,7 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
   const StoredFormat format = as == ReadAs::light ? header.format : withoutCurve(header.format);
   MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header, format));
   if (format != header.format && !header.encoding_assumed) tellUnapplied("sRGB", header.oddities);
-  const std::string color = describeColor(curveOf(format), {}, imageChannels(format)) + assumed;
+  const std::string color = describeColor(transferCurve(format), {}, imageChannels(format)) + assumed;
   return DecodedImageSet{.images = std::move(images),
                          .metadata = {},
                          .format = "DDS, " + nameOf(header.format) + assumed,

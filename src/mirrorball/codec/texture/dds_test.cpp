@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using testing::oldDds;
 using testing::textureOf;
 
-Bytes ddsOf(const ImageSet& images, const TextureWriteOptions& options = {}) {
+Bytes ddsBytes(const ImageSet& images, const TextureWriteOptions& options = {}) {
   return bytesOfTexture(writeDds, images, options);
 }
 
@@ -50,17 +50,17 @@ TEST(Dds, ASmallCubeByHand) {
     const std::uint32_t texel = (15 + n) << 6 | (15 + n) << 17 | (15 + n) << 27;
     for (int i = 0; i < 4; ++i) expected.push_back(static_cast<std::uint8_t>(texel >> 8 * i));
   }
-  EXPECT_EQ(ddsOf(cube, {.format = TexelFormat::b10g11r11}), expected);
+  EXPECT_EQ(ddsBytes(cube, {.format = TexelFormat::b10g11r11}), expected);
 }
 
 TEST(Dds, TwoChannelsAreRedAndGreen) {
-  const Bytes file = ddsOf(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
+  const Bytes file = ddsBytes(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
   ASSERT_EQ(file.size(), 148u + 3 * 4);
   EXPECT_EQ(littleU32(file.data() + 20), 12u) << "dwPitchOrLinearSize";
   EXPECT_EQ(littleU32(file.data() + 128), 34u) << "DXGI_FORMAT_R16G16_FLOAT";
   EXPECT_EQ(littleU32(file.data() + 144), 3u) << "opaque";
   EXPECT_EQ(Bytes(file.end() - 4, file.end()), (Bytes{0, 0x40, 0, 0x40}));
-  const Bytes floats = ddsOf(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
+  const Bytes floats = ddsBytes(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
   EXPECT_EQ(littleU32(floats.data() + 128), 16u) << "DXGI_FORMAT_R32G32_FLOAT";
 }
 
@@ -69,7 +69,7 @@ TEST(Dds, LevelsOfAFaceStandTogether) {
   for (int level = 0; level < 2; ++level)
     for (int face = 0; face < 6; ++face)
       cube.at(level, face) = Image(2 - level, 2 - level, 4, static_cast<float>(10 * level + face));
-  const Bytes file = ddsOf(cube, {.format = TexelFormat::float32});
+  const Bytes file = ddsBytes(cube, {.format = TexelFormat::float32});
   ASSERT_EQ(file.size(), 148u + 6 * (4 + 1) * 16);
   EXPECT_EQ(littleU32(file.data() + 28), 2u) << "dwMipMapCount";
   EXPECT_EQ(littleU32(file.data() + 108), 0x401008u) << "dwCaps: complex, texture, mips";
@@ -158,7 +158,7 @@ TEST(Dds, FormatsOfBitsAreRead) {
                              InBits{86, {0x1f, 0x80}, {0, 0, 1, 1}, "DDS, a1r5g5b5 unorm"},
                              InBits{115, {0x3f, 0x30}, {0, 0.2f, 1, 0.2f}, "DDS, a4r4g4b4 unorm"},
                              InBits{191, {0x3f, 0x30}, {0.2f, 0, 0.2f, 1}, "DDS, r4g4b4a4 unorm"}}) {
-    Bytes file = ddsOf(textureOf(1, 1, 1, 3, 1, 1));
+    Bytes file = ddsBytes(textureOf(1, 1, 1, 3, 1, 1));
     file.resize(148);
     file[128] = kind.number;
     file.insert(file.end(), kind.texel.begin(), kind.texel.end());
@@ -187,7 +187,7 @@ TEST(Dds, WhatIsNotReadIsNamed) {
             "holds a cube with fewer than six faces (+X), whose light from the others is not known; store all six");
   EXPECT_THAT(decodeDds(oldDds({.flags = 4, .code = 113, .caps2 = 0x0200}, Bytes(5 * 8))).error().message,
               HasSubstr("fewer than six faces (none)"));
-  Bytes file = ddsOf(textureOf(1, 1, 1, 3, 2, 2));
+  Bytes file = ddsBytes(textureOf(1, 1, 1, 3, 2, 2));
   file[128] = 98;  // DXGI_FORMAT_BC7_UNORM
   expectUnsupported(file, "BC7 block compression");
   file[128] = 10;
@@ -196,7 +196,7 @@ TEST(Dds, WhatIsNotReadIsNamed) {
 }
 
 TEST(Dds, LyingHeadersAreNamedWithTheirPlace) {
-  const Bytes file = ddsOf(textureOf(2, 6, 1, 3, 4, 4));
+  const Bytes file = ddsBytes(textureOf(2, 6, 1, 3, 4, 4));
   const auto with = [&](std::size_t at, std::uint32_t number) {
     Bytes changed = file;
     for (std::size_t i = 0; i < 4; ++i) changed[at + i] = static_cast<std::uint8_t>(number >> 8 * i);

@@ -124,7 +124,7 @@ class Reader {
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
     if (!values.swizzle.empty()) oddities_.push_back(swizzleRemark(values));
     if (format != stored) tellUnapplied("sRGB", oddities_);
-    const std::string color = describeColor(curveOf(format), {}, imageChannels(format));
+    const std::string color = describeColor(transferCurve(format), {}, imageChannels(format));
     return DecodedImageSet{.images = std::move(images),
                            .metadata = std::move(values.metadata),
                            .format = "KTX1, " + nameOf(stored) + (big_endian_ ? ", big-endian" : ""),

@@ -242,7 +242,7 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
   if (color.is_missing) oddities.emplace_back("has no data format descriptor: read as its vkFormat says");
   if (!values.swizzle.empty()) oddities.push_back(swizzleRemark(values));
   if (as == ReadAs::numbers) tellUnapplied(spaceStatedBy(stored, color), oddities);
-  const std::string text = describeColor(curveOf(format), color.primaries, imageChannels(format));
+  const std::string text = describeColor(transferCurve(format), color.primaries, imageChannels(format));
   return DecodedImageSet{.images = std::move(images),
                          .metadata = std::move(values.metadata),
                          .format = "KTX2, " + nameOf(stored) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),

@@ -325,7 +325,7 @@ StoredFormat withoutCurve(StoredFormat format) {
   return format;
 }
 
-TransferCurve curveOf(const StoredFormat& format) { return hasSrgbCurve(format) ? kSrgbCurve : kLinearLight; }
+TransferCurve transferCurve(const StoredFormat& format) { return hasSrgbCurve(format) ? kSrgbCurve : kLinearLight; }
 
 Result<Image> unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
                            int height) {

@@ -69,7 +69,7 @@ bool hasSrgbCurve(const StoredFormat& format);
 StoredFormat withoutCurve(StoredFormat format);
 
 /// The curve from the stored samples to light.
-TransferCurve curveOf(const StoredFormat& format);
+TransferCurve transferCurve(const StoredFormat& format);
 
 /// Decodes texels to linear light.
 ///

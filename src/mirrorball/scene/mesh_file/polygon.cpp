@@ -54,8 +54,8 @@ bool contains(dvec2 a, dvec2 b, dvec2 c, dvec2 point) {
   return turn(a, b, point) >= 0.0 && turn(b, c, point) >= 0.0 && turn(c, a, point) >= 0.0;
 }
 
-/// Corners of a polygon, and which of them lie in a triangle, by a grid of square cells: its columns go along the longer
-/// side of the corners' box, so that corners on a straight line are apart in it, too.
+/// Corners of a polygon, and which of them lie in a triangle, by a grid of square cells: its columns go along the
+/// longer side of the corners' box, so that corners on a straight line are apart in it, too.
 class CornerGrid {
  public:
   CornerGrid(const std::vector<dvec2>& corners, std::vector<std::uint32_t> held)

@@ -22,11 +22,15 @@ FN Media noMedia() { return MAKE(Media)(uvec4(0u), uvec4(0u)); }
 
 FN bool isWithinBody(Media media) { return media.latest.x != 0u; }
 
+// A priority as a word holds it: those beyond the ends are as the ends are.
+FN uint heldPriority(int priority) {
+  return uint(clamp(priority, -kGreatestPriority, kGreatestPriority) + kGreatestPriority + 1);
+}
+
 // body      below two million; others are not known
-// priority  from −kGreatestPriority to kGreatestPriority
 FN Media entered(Media media, int body, int priority) {
   if (media.earliest.w != 0u || uint(body) >= kBodyBits) return media;
-  uint word = (uint(priority + kGreatestPriority + 1) << kPriorityShift) | uint(body + 1);
+  uint word = (heldPriority(priority) << kPriorityShift) | uint(body + 1);
   uvec4 a = media.latest;
   uvec4 b = media.earliest;
   return MAKE(Media)(uvec4(word, a.x, a.y, a.z), uvec4(a.w, b.x, b.y, b.z));
@@ -85,6 +89,6 @@ FN bool hasSurface(Media media, int body, int priority, bool is_entering) {
   if (times > (is_entering ? 0 : 1)) return false;
   uint filling = fillingWord(media);
   if (filling == 0u) return true;
-  if (is_entering) return priority >= int(filling >> kPriorityShift) - kGreatestPriority - 1;
+  if (is_entering) return heldPriority(priority) >= filling >> kPriorityShift;
   return times == 0 || int(filling & kBodyBits) - 1 == body;
 }

@@ -133,6 +133,7 @@ const Case kSurfaceCases[] = {
     PARITY(left, unit, kExact, shownMedia(left(testMedia(p), int(2.9375f * q.x)))),
     PARITY(timesEntered, unit, kExact,
            vec4(float(timesEntered(entered(testMedia(p), 1, 0), int(2.9375f * q.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(heldPriority, unit, kExact, vec4(float(heldPriority(1500 * int(2.9375f * p.x) - 2000)))),
     PARITY(noMedia, unit, kExact, vec4(noMedia().latest + noMedia().earliest)),
     PARITY(wordsOfBody, unit, kExact, vec4(wordsOfBody(testMedia(p).latest, int(2.9375f * q.x)))),
     PARITY(prevailing, unit, kExact,

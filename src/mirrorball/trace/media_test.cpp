@@ -78,6 +78,8 @@ TEST(Media, PrioritiesAndNumbersAreKnownToTheirEnds) {
   EXPECT_FALSE(hasSurface(media, 6, kGreatestPriority - 1, true));
   EXPECT_TRUE(hasSurface(media, 6, kGreatestPriority, true));
   EXPECT_TRUE(hasSurface(left(media, 5), 6, -kGreatestPriority, true));
+  EXPECT_EQ(fillingBody(entered(entered(Media(), 0, 2000), 1, 0)), 0) << "as the greatest";
+  EXPECT_TRUE(hasSurface(media, 6, 2000, true));
   EXPECT_FALSE(isWithinBody(entered(Media(), last + 1, 0))) << "too great a number for a word";
 }
 

@@ -21,24 +21,24 @@ bool isCompressedXml(JxlDecoder* decoder) {
          std::string_view(stored, 4) == "brob" && std::string_view(unpacked, 4) == "xml ";
 }
 
-/// The contents of that box.
-std::string readBox(JxlDecoder* decoder) {
-  constexpr std::size_t kStep = std::size_t{1} << 14;
-  std::string text;
-  for (std::size_t filled = 0; filled < kLongestCompressedXmp;) {
+/// Reads the contents of that box.
+///
+/// returns  where the decoder has got to: the next box, or the file's end; anything else where this one is damaged, or
+///          too long
+JxlDecoderStatus readBox(JxlDecoder* decoder, UnpackingBudget& budget, std::string& text) {
+  constexpr std::size_t kStep = UnpackingBudget::kStep;
+  JxlDecoderStatus status = JXL_DEC_BOX_NEED_MORE_OUTPUT;
+  while (status == JXL_DEC_BOX_NEED_MORE_OUTPUT) {
+    if (!budget.take(kStep)) return JXL_DEC_ERROR;
+    const std::size_t filled = text.size();
     text.resize(filled + kStep);
     if (JxlDecoderSetBoxBuffer(decoder, reinterpret_cast<std::uint8_t*>(text.data()) + filled, kStep) !=
         JXL_DEC_SUCCESS)
-      return {};
-    const JxlDecoderStatus status = JxlDecoderProcessInput(decoder);
-    filled += kStep - JxlDecoderReleaseBoxBuffer(decoder);
-    if (status == JXL_DEC_BOX_NEED_MORE_OUTPUT) continue;
-    // The next box, or the file's end, ends this one.
-    if (status != JXL_DEC_BOX && status != JXL_DEC_SUCCESS) return {};
-    text.resize(filled);
-    return text;
+      return JXL_DEC_ERROR;
+    status = JxlDecoderProcessInput(decoder);
+    text.resize(filled + kStep - JxlDecoderReleaseBoxBuffer(decoder));
   }
-  return {};
+  return status;
 }
 
 }  // namespace
@@ -50,8 +50,16 @@ std::string compressedXmpInJxl(std::span<const std::uint8_t> bytes) {
     return {};
   JxlDecoderSetInput(decoder.get(), bytes.data(), bytes.size());
   JxlDecoderCloseInput(decoder.get());
-  while (JxlDecoderProcessInput(decoder.get()) == JXL_DEC_BOX)
-    if (isCompressedXml(decoder.get())) return readBox(decoder.get());
+  UnpackingBudget budget;
+  for (JxlDecoderStatus status = JxlDecoderProcessInput(decoder.get()); status == JXL_DEC_BOX;) {
+    if (!isCompressedXml(decoder.get())) {
+      status = JxlDecoderProcessInput(decoder.get());
+      continue;
+    }
+    std::string text;
+    status = readBox(decoder.get(), budget, text);
+    if ((status == JXL_DEC_BOX || status == JXL_DEC_SUCCESS) && holdsXmp(text)) return text;
+  }
   return {};
 }
 

@@ -31,15 +31,15 @@ std::optional<std::string_view> cutWord(std::string_view& text) {
 }
 
 /// Unpacks zlib's data; empty where they are damaged or too long.
-std::string inflated(std::string_view packed) {
-  constexpr std::size_t kStep = std::size_t{1} << 14;
+std::string inflated(std::string_view packed, UnpackingBudget& budget) {
+  constexpr std::size_t kStep = UnpackingBudget::kStep;
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) return {};
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // zlib only reads them
   stream.avail_in = static_cast<uInt>(packed.size());
   std::string text;
   int result = Z_OK;
-  while (result == Z_OK && text.size() < kLongestCompressedXmp) {
+  while (result == Z_OK && budget.take(kStep)) {
     const std::size_t begin = text.size();
     text.resize(begin + kStep);
     stream.next_out = reinterpret_cast<Bytef*>(text.data() + begin);
@@ -58,13 +58,15 @@ int hexDigit(char letter) {
 }
 
 /// The bytes of ImageMagick's form: an empty line, the profile's name, how many bytes it has, and digits, two a byte.
-std::string bytesOfDigits(std::string_view text) {
+/// Empty where there are too many.
+std::string bytesOfDigits(std::string_view text, UnpackingBudget& budget) {
   constexpr int kLinesBefore = 3;
   for (int line = 0; line < kLinesBefore; ++line) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) return {};
     text.remove_prefix(end + 1);
   }
+  if (!budget.take(text.size() / 2)) return {};
   std::string bytes;
   int high = -1;
   for (const char letter : text) {
@@ -76,31 +78,32 @@ std::string bytesOfDigits(std::string_view text) {
   return bytes;
 }
 
-/// The XMP in a chunk of text.
+/// The text or the profile in a chunk of text, if its keyword is one under which XMP is stored.
 ///
 /// type     of the chunk
-std::string xmpInText(std::string_view type, std::string_view data) {
+std::string textIn(std::string_view type, std::string_view data, UnpackingBudget& budget) {
   const auto keyword = cutWord(data);
   if (!keyword) return {};
   const bool is_raw = contains(kRawProfiles, *keyword);
-  if (type == "tEXt") return is_raw ? bytesOfDigits(data) : std::string();
+  if (type == "tEXt") return is_raw ? bytesOfDigits(data, budget) : std::string();
   if (*keyword != kXmpKeyword && !is_raw) return {};
   if (type == "zTXt") {
     if (data.empty() || data[0] != 0) return {};  // there is one way to compress
-    const std::string text = inflated(data.substr(1));
-    return is_raw ? bytesOfDigits(text) : text;
+    const std::string text = inflated(data.substr(1), budget);
+    return is_raw ? bytesOfDigits(text, budget) : text;
   }
   if (data.size() < 2 || data[0] != 1 || data[1] != 0) return {};  // what is not compressed is found as it is
   data.remove_prefix(2);
   const bool has_words = cutWord(data).has_value() && cutWord(data).has_value();  // language, translated keyword
-  return has_words ? inflated(data) : std::string();
+  return has_words ? inflated(data, budget) : std::string();
 }
 
 }  // namespace
 
 std::string compressedXmpInPng(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::string_view, 3> kTexts{"iTXt", "zTXt", "tEXt"};
-  for (std::size_t at = kSignature; at < bytes.size() && bytes.size() - at >= kChunkFrame;) {
+  UnpackingBudget budget;
+  for (std::size_t at = kSignature; at < bytes.size() && bytes.size() - at >= kChunkFrame && !budget.isSpent();) {
     const std::size_t length = bigU32(bytes.data() + at);
     if (length > bytes.size() - at - kChunkFrame) break;
     const auto text = [&](std::size_t begin, std::size_t size) {
@@ -108,7 +111,7 @@ std::string compressedXmpInPng(std::span<const std::uint8_t> bytes) {
     };
     const std::string_view type = text(at + 4, 4);
     if (contains(kTexts, type))
-      if (std::string xmp = xmpInText(type, text(at + kChunkHead, length)); !xmp.empty()) return xmp;
+      if (std::string xmp = textIn(type, text(at + kChunkHead, length), budget); holdsXmp(xmp)) return xmp;
     at += length + kChunkFrame;
   }
   return {};

@@ -2,6 +2,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -43,6 +45,48 @@ TEST(PngXmp, DamageIsNone) {
   for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_EQ(xmpIn("iTXt", whole.substr(0, size)), "") << size;
   const Bytes file = pngWithChunk("iTXt", whole);
   for (std::size_t size = 8; size < 100; ++size) EXPECT_EQ(compressedXmpInPng(std::span(file).first(size)), "");
+}
+
+/// A PNG with several chunks, in this order.
+Bytes pngWithChunks(const std::vector<std::pair<std::string_view, std::string>>& chunks) {
+  Bytes png = *encodePng(Image8(2, 1, 3, 99), {});
+  for (auto chunk = chunks.rbegin(); chunk != chunks.rend(); ++chunk)
+    png = testing::withPngChunk(std::move(png), chunk->first, chunk->second);
+  return png;
+}
+
+// ImageMagick stores EXIF under the same keyword as XMP, as both are a JPEG's APP1.
+TEST(PngXmp, IsFoundBehindOtherProfiles) {
+  const std::string packed = kKeyword + std::string("\1\0en\0\0", 6) + deflated(kPacket);
+  const std::string raw = "Raw profile type APP1" + std::string(1, '\0');
+  const std::string exif = rawProfile("exif", "Exif" + std::string(200, '\0'));
+  EXPECT_EQ(compressedXmp(pngWithChunks({{"tEXt", raw + exif}, {"iTXt", packed}})), kPacket);
+  EXPECT_EQ(compressedXmp(pngWithChunks({{"zTXt", raw + std::string(1, '\0') + deflated(exif)},
+                                         {"tEXt", raw + rawProfile("xmp", kPacket)},
+                                         {"iTXt", packed}})),
+            kPacket);
+  EXPECT_EQ(compressedXmp(pngWithChunks({{"tEXt", raw + exif}})), "") << "no packet is in it";
+}
+
+// Else each would be unpacked for nothing: a thousand times the work of reading the file.
+TEST(PngXmp, OfManyTextsNoMoreIsUnpackedThanOfOne) {
+  const std::string packed = kKeyword + std::string(1, '\0') + deflated(kPacket);
+  const auto behind = [&](std::size_t count, std::size_t size) {
+    const std::string other = kKeyword + std::string(1, '\0') + deflated(std::string(size, ' '));
+    std::vector<std::pair<std::string_view, std::string>> chunks(count, {"zTXt", other});
+    chunks.emplace_back("zTXt", packed);
+    return compressedXmp(pngWithChunks(chunks));
+  };
+  EXPECT_EQ(behind(8, 100'000), kPacket);
+  EXPECT_EQ(behind(12, 100'000), "");
+  EXPECT_EQ(behind(1, 4 * kLongestCompressedXmp), "");
+  EXPECT_EQ(behind(60, 1), kPacket);
+  EXPECT_EQ(behind(70, 1), "") << "small ones count, too";
+  const std::string digits =
+      "Raw profile type APP1" + std::string(1, '\0') + rawProfile("exif", std::string(600'000, 'x'));
+  EXPECT_EQ(compressedXmp(pngWithChunks({{"tEXt", digits}, {"zTXt", packed}})), kPacket);
+  EXPECT_EQ(compressedXmp(pngWithChunks({{"tEXt", digits}, {"tEXt", digits}, {"zTXt", packed}})), kPacket)
+      << "what is too long is passed over";
 }
 
 TEST(PngXmp, WhatUnpacksToMoreThanAnyPacketIsLeft) {

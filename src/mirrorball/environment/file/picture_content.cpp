@@ -102,6 +102,43 @@ std::vector<float> lightAlongEdge(const Image& picture, int edge, int count) {
   return light;
 }
 
+/// The same numbers, begun in their middle.
+std::vector<float> movedByHalf(std::vector<float> numbers) {
+  std::rotate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2), numbers.end());
+  return numbers;
+}
+
+/// Whether edges that fold show a horizon direction each, from which they meet at the nadir. In a vignette, an ornament
+/// or a tile edges are alike, or differ only by noise and by what does not fold.
+///
+/// folds    sum of the edges' differences from themselves, folded
+bool areOfOwnDirections(std::array<std::vector<float>, 4> edges, float folds) {
+  // Without the middle, where a ball that touches the sides shows.
+  constexpr double kMiddle = 0.15;
+  const std::size_t count = edges[0].size();
+  const auto begin = static_cast<std::ptrdiff_t>(double(count) * (1.0 - kMiddle) / 2.0);
+  for (std::vector<float>& light : edges) light.erase(light.begin() + begin, light.end() - begin);
+  int alike = 0;
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = 0; b < a; ++b) alike += difference(edges[a], edges[b]) > 0.5f * folds + 0.01f ? 0 : 1;
+  // Two of four directions may look alike.
+  if (alike > 1) return false;
+  double light_of_all = 0.0, moves = 0.0;
+  std::vector<float> common(edges[0].size());
+  for (const std::vector<float>& light : edges)
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      common[i] += 0.25f * light[i];
+      light_of_all += double(light[i]);
+    }
+  for (std::vector<float>& light : edges) {
+    for (std::size_t i = 0; i < light.size(); ++i) light[i] -= common[i];
+    const std::vector<float> moved = movedByHalf(light);
+    for (std::size_t i = 0; i < light.size(); ++i) moves += std::abs(double(light[i]) - double(moved[i]));
+  }
+  // As the sum of the edges' differences would be, were each as bright as all of them.
+  return 2.0 * moves > double(2.0f * folds + 0.04f) * light_of_all;
+}
+
 /// Square roots of the mean light in the cells of a part of a picture, by rows: a lamp counts less among them.
 std::vector<float> cellsIn(const Image& picture, glm::ivec2 corner, glm::ivec2 size, glm::ivec2 cells) {
   constexpr int kSamples = 4;  // a cell, along each side
@@ -153,6 +190,22 @@ bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
   return true;
 }
 
+/// Whether a part's cells, by rows, go on at its left edge where they end at the right one: it is then a whole circle,
+/// or two halves of a circle that shows the same twice. Black edges show nothing.
+bool goesRound(const std::vector<float>& cells, glm::ivec2 count) {
+  const auto at = [&](int x, int y) { return cells[static_cast<std::size_t>(y * count.x + x)]; };
+  double seam = 0.0, steps = 0.0, at_edges = 0.0, all = 0.0;
+  for (int y = 0; y < count.y; ++y) {
+    seam += std::abs(double(at(count.x - 1, y)) - double(at(0, y)));
+    at_edges += double(at(count.x - 1, y)) + double(at(0, y));
+    for (int x = 0; x < count.x; ++x) all += double(at(x, y));
+    for (int x = 1; x < count.x; ++x) steps += std::abs(double(at(x, y)) - double(at(x - 1, y)));
+  }
+  // Cells are square roots of light.
+  if (at_edges / 2.0 < 0.2 * all / count.x) return false;
+  return seam <= 1.5 * steps / (count.x - 1);
+}
+
 /// Whether a picture's halves, of which one is named, are nearly equal, and not in many other ways too.
 bool hasEqualHalves(const Image& picture, PictureHalf half) {
   constexpr glm::ivec2 kCells(48, 24);
@@ -165,7 +218,8 @@ bool hasEqualHalves(const Image& picture, PictureHalf half) {
   const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
   const float within = difference({first.begin(), middle}, {middle, first.end()});
   const float between = difference(first, second);
-  return between < 0.08f && between < 0.3f * within;
+  const bool is_panorama = size.x < 2 * size.y && goesRound(first, kCells);
+  return between < 0.08f && between < 0.3f * within && !is_panorama;
 }
 
 /// Whether all texels are alike.
@@ -189,17 +243,17 @@ bool foldsAtEdges(const Image& picture) {
   constexpr int kSmallest = 16, kMostSamples = 512;
   if (picture.width() < kSmallest || showsDisc(picture)) return false;
   const int count = std::min(picture.width(), kMostSamples) / 2 * 2;
+  std::array<std::vector<float>, 4> edges;
   float all_folds = 0.0f, all_moves = 0.0f;
   for (int edge = 0; edge < 4; ++edge) {
     const std::vector<float> light = lightAlongEdge(picture, edge, count);
-    std::vector<float> moved = light;
-    std::rotate(moved.begin(), moved.begin() + count / 2, moved.end());
     const float fold = difference(light, {light.rbegin(), light.rend()});
     if (fold > 0.1f) return false;
     all_folds += fold;
-    all_moves += difference(light, moved);
+    all_moves += difference(light, movedByHalf(light));
+    edges[static_cast<std::size_t>(edge)] = light;
   }
-  return all_moves > 4.0f * all_folds + 0.1f;
+  return all_moves > 4.0f * all_folds + 0.1f && areOfOwnDirections(edges, all_folds);
 }
 
 std::optional<PictureHalf> equalHalves(const Image& picture) {

@@ -19,7 +19,9 @@ bool showsDisc(const Image& picture);
 bool showsTwoDiscs(const Image& picture);
 
 /// Whether the edges of a square are the same from their middle to either side, as those of an octahedron that is
-/// unfolded are, and of nothing else that varies along them.
+/// unfolded are, and show four directions: at most two are alike. What is symmetrical about both of its axes, as a
+/// vignette or an ornament, has other pairs of edges that are alike. An octahedron in light that is the same in several
+/// horizon directions is not recognised.
 bool foldsAtEdges(const Image& picture);
 
 /// The eye that is taken of two that are nearly equal and of 2:1 each: the upper half of a square, the left one of 4:1.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include <glm/gtc/constants.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,6 +58,24 @@ Image stripOnBlack(float begin, float end) {
   return picture;
 }
 
+/// A picture whose light is a function of the place, of both coordinates from -1 to 1.
+Image painted(glm::ivec2 size, const std::function<float(glm::vec2)>& light) {
+  Image picture(size.x, size.y, 3);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const glm::vec2 place = 2.0f * (glm::vec2(x, y) + 0.5f) / glm::vec2(size) - 1.0f;
+      std::fill_n(picture.texel(x, y), 3, light(place));
+    }
+  return picture;
+}
+
+/// The reflection in a ball of a radius, before a wall.
+Image ballBefore(float radius, const std::function<float(glm::vec2)>& wall) {
+  return painted(glm::ivec2(256), [&](glm::vec2 p) {
+    return glm::dot(p, p) < radius * radius ? 0.5f + 0.35f * p.x + 0.3f * std::sin(5.0f * p.y) : wall(p);
+  });
+}
+
 TEST(PictureContent, ADiscOnBlackIsSeen) {
   for (const Projection projection : {Projection::sphere, Projection::angular, Projection::ball})
     EXPECT_TRUE(showsDisc(pictureOfLight(projection, 128))) << testing::testName(projection);
@@ -85,6 +105,44 @@ TEST(PictureContent, OnlyAnUnfoldedOctahedronFoldsAtItsEdges) {
     EXPECT_FALSE(foldsAtEdges(pictureOfLight(projection, 256))) << testing::testName(projection);
   EXPECT_FALSE(foldsAtEdges(convert(Environment(landscape, 64), Projection::cube, 128)->face(4)));
   EXPECT_FALSE(foldsAtEdges(Image(64, 64, 3, 1.0f))) << "one colour shows nothing";
+}
+
+// What is symmetrical about its middle folds too, and its edges are alike.
+TEST(PictureContent, BallsBeforeWallsAndOrnamentsAreNoOctahedra) {
+  const auto vignette = [](glm::vec2 p) { return 0.8f / std::pow(1.0f + 0.35f * glm::dot(p, p), 2.0f); };
+  for (const float radius : {0.6f, 0.95f, 1.0f, 1.005f}) {
+    EXPECT_FALSE(foldsAtEdges(ballBefore(radius, vignette))) << radius;
+    const auto lit_from_left = [&](glm::vec2 p) { return vignette(p) * (1.0f - 0.03f * p.x); };
+    EXPECT_FALSE(foldsAtEdges(ballBefore(radius, lit_from_left))) << radius;
+    EXPECT_FALSE(foldsAtEdges(ballBefore(radius, [](glm::vec2 p) { return 1.5f - glm::length(p); }))) << radius;
+  }
+  const auto continued = [](glm::vec2 p) { return 0.5f + 0.3f * std::cos(4.0f * std::atan2(p.y, p.x)); };
+  EXPECT_FALSE(foldsAtEdges(ballBefore(0.9f, continued)));
+  const auto ornament = [](glm::vec2 p) { return 0.5f + 0.2f * std::cos(9.0f * p.x) + 0.25f * std::cos(5.0f * p.y); };
+  EXPECT_FALSE(foldsAtEdges(painted(glm::ivec2(256), ornament)));
+}
+
+TEST(PictureContent, APanoramaThatShowsTheSameTwiceIsNoPictureForTwoEyes) {
+  const auto isRemarked = [](const Image& picture) {
+    Recognition recognition = *recognize(picture.width(), picture.height(), {});
+    const auto doubt = settleByContent(picture, recognition);
+    EXPECT_TRUE(doubt) << doubt.error().message;
+    return doubt && !doubt->message.empty();
+  };
+  EXPECT_FALSE(isRemarked(painted({256, 128}, [](glm::vec2 p) { return 0.5f - 0.4f * p.y; }))) << "an even sky";
+  const float turn = glm::pi<float>();
+  for (const float times : {2.0f, 4.0f, 6.0f})
+    EXPECT_FALSE(isRemarked(painted({256, 128}, [&](glm::vec2 p) {
+      return 0.5f - 0.3f * p.y + 0.15f * std::cos(times * turn * p.x) * std::cos(p.y);
+    }))) << times;
+  const auto eye = [](float darkest) {
+    return [=](glm::vec2 p) {
+      const float x = 2.0f * (p.x < 0.0f ? p.x + 0.5f : p.x - 0.5f);
+      return std::abs(x) > darkest ? 0.0f : 0.5f - 0.3f * p.y + 0.15f * std::sin(2.0f * x);
+    };
+  };
+  EXPECT_TRUE(isRemarked(painted({256, 128}, eye(2.0f))));
+  EXPECT_TRUE(isRemarked(painted({256, 128}, eye(0.9f)))) << "black at its edges";
 }
 
 TEST(PictureContent, TwoEyesAreNearlyEqual) {

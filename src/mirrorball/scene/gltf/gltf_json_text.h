@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +29,6 @@ struct MendedJson {
 std::optional<MendedJson> mendJson(std::string_view json);
 
 /// The most bytes that a text of so many takes when it is mended.
-constexpr std::size_t mostMended(std::size_t bytes) { return 6 * bytes; }
+constexpr std::uint64_t mostMended(std::size_t bytes) { return std::uint64_t{6} * bytes; }
 
 }  // namespace mirrorball::gltf

@@ -75,10 +75,10 @@ class ObjMeshBuilder {
     polygon_.clear();
     const auto corners = std::span(geometry_.corners).subspan(face.first_corner, face.corner_count);
     for (const ObjCorner& corner : corners) polygon_.push_back(places_[std::size_t(corner.position)]);
-    bool gave_up = false;
-    for (const auto& triangle : triangulate(polygon_, &gave_up))
+    TriangulationWork work;
+    for (const auto& triangle : triangulate(polygon_, &work))
       for (const std::uint32_t corner : triangle) part.mesh.indices.push_back(takeVertex(corners[corner], part));
-    faces_fanned_ += gave_up ? 1 : 0;
+    faces_fanned_ += work.gave_up ? 1 : 0;
   }
 
   std::map<int, Mesh> finish(MeshRepair& repair) {

@@ -186,6 +186,7 @@ class ContentReader {
  private:
   static constexpr std::uint64_t kOfCorner = 100;  // bytes, measured with triangles whose normals are computed
   static constexpr std::uint64_t kOfOwn = 150;     // of a corner that has a vertex for itself, in growing lists
+  static constexpr std::uint64_t kOfListed = 2 * sizeof(double);  // of a number in a list, which is kept twice
 
   tl::unexpected<Error> wrong(const std::string& what) const {
     return fail(ErrorCode::bad_file, values_.place() + ": " + what);
@@ -194,12 +195,24 @@ class ContentReader {
   /// What an element takes at least, until the mesh has normals and tangents: a face is a triangle or more.
   static std::uint64_t memoryFor(const PlyElement& element, std::size_t rows) {
     if (element.isVertices()) return rows * std::uint64_t{sizeof(Vertex) + sizeof(glm::dvec3)};
-    if (!element.isFaces()) return 0;
+    return element.isFaces() ? rows * triangleBytes(element) : 0;
+  }
+
+  static std::uint64_t triangleBytes(const PlyElement& element) {
     const bool has_own = Row(element).hasColor() || std::any_of(element.properties.begin(), element.properties.end(),
                                                                 [](const PlyProperty& property) {
                                                                   return listRoleNamed(property.name) == ListRole::uvs;
                                                                 });
-    return rows * 3 * (kOfCorner + (has_own ? kOfOwn : 0));
+    return 3 * (kOfCorner + (has_own ? kOfOwn : 0));
+  }
+
+  /// Asks for the memory of triangles that memoryFor() has not counted, before they are made. It is more than what
+  /// their polygon takes while it is cut.
+  ///
+  /// errors   too_large
+  Result<void> askForTriangles(std::size_t count) {
+    memory_ += count * of_triangle_;
+    return checkMemory(memory_);
   }
 
   /// How many rows the bytes can hold of those that the header names: memory is taken for no more.
@@ -285,6 +298,7 @@ class ContentReader {
   Result<std::size_t> readFaces(const PlyElement& element, std::size_t rows) {
     Row row(element);
     const bool has_own = element.isFaces() && (row.hasColor() || row.has({kPicture}));
+    of_triangle_ = triangleBytes(element);
     // Triangles before them have nothing for themselves.
     if (has_own) content_.faces.resize(content_.indices.size() / 3);
     const std::size_t first = content_.faces.size();
@@ -295,10 +309,8 @@ class ContentReader {
       uvs_.clear();
       MIRRORBALL_TRY(is_whole, readRow(row, read, element.count));
       if (!is_whole) break;
-      if (element.isFaces())
-        addFace();
-      else if (element.name == "tristrips")
-        addStrips();
+      if (element.isFaces()) MIRRORBALL_TRY_VOID(addFace());
+      if (element.name == "tristrips") MIRRORBALL_TRY_VOID(addStrips());
       if (!has_own) continue;
       PlyFace face;
       if (row.hasColor()) colors.add(face.color = toFloats(row.color()));
@@ -321,8 +333,11 @@ class ContentReader {
         length && *length >= 0.0 && *length == std::floor(*length) && *length <= fullScale(*property.count_type);
     if (!is_length) return wrong("the list '" + excerpt(property.name) + "' has no valid length");
     if (*length > static_cast<double>(values_.remaining() / values_.minSize(property.type))) return false;
+    const auto count = static_cast<std::size_t>(*length);
+    MIRRORBALL_TRY_VOID(checkMemory(memory_ + count * kOfListed));
     list_.clear();
-    for (auto left = static_cast<std::size_t>(*length); left > 0; --left) {
+    list_.reserve(count);
+    for (std::size_t left = count; left > 0; --left) {
       const std::optional<double> value = values_.next(property.type);
       if (!value && values_.isAtEnd()) return false;
       if (!value) return wrong("no number in the list '" + excerpt(property.name) + "'");
@@ -338,21 +353,23 @@ class ContentReader {
     return static_cast<std::uint32_t>(value);
   }
 
-  void addFace() {
-    if (corners_.size() < 3) return;
+  /// errors   too_large
+  Result<void> addFace() {
+    if (corners_.size() < 3) return {};
+    MIRRORBALL_TRY_VOID(askForTriangles(corners_.size() - 3));
     face_.clear();
     for (const double value : corners_) {
       const std::optional<std::uint32_t> corner = findIndex(value);
       if (!corner) {
         content_.repair.triangles_of_no_vertex += corners_.size() - 2;
-        return;
+        return {};
       }
       face_.push_back(*corner);
     }
     // Faces that precede their vertices: a fan is all one can do.
     if (face_.size() == 3 || content_.vertices.empty()) {
       for (std::uint32_t i = 1; i + 1 < face_.size(); ++i) addTriangle({0, i, i + 1});
-      return;
+      return {};
     }
     polygon_.clear();
     // From its first corner, so that floats hold it wherever it lies.
@@ -360,11 +377,12 @@ class ContentReader {
     for (const std::uint32_t corner : face_) polygon_.emplace_back(content_.positions[corner] - origin);
     if (std::any_of(polygon_.begin(), polygon_.end(), [](glm::vec3 place) { return std::isnan(place.x); })) {
       content_.repair.triangles_of_no_place += face_.size() - 2;
-      return;
+      return {};
     }
-    bool gave_up = false;
-    for (const auto& triangle : triangulate(polygon_, &gave_up)) addTriangle(triangle);
-    content_.repair.faces_fanned += gave_up ? 1 : 0;
+    TriangulationWork work;
+    for (const auto& triangle : triangulate(polygon_, &work)) addTriangle(triangle);
+    content_.repair.faces_fanned += work.gave_up ? 1 : 0;
+    return {};
   }
 
   /// Of corners of the face.
@@ -378,7 +396,10 @@ class ContentReader {
   }
 
   /// A strip's triangles turn alternately; −1 begins a new strip.
-  void addStrips() {
+  ///
+  /// errors   too_large
+  Result<void> addStrips() {
+    MIRRORBALL_TRY_VOID(askForTriangles(corners_.size()));
     std::vector<std::optional<std::uint32_t>> strip;
     for (const double value : corners_) {
       if (value == -1.0) {
@@ -395,6 +416,7 @@ class ContentReader {
       else
         ++content_.repair.triangles_of_no_vertex;
     }
+    return {};
   }
 
   /// Vertices may follow their faces, so that only now it is known which are there.
@@ -427,7 +449,8 @@ class ContentReader {
   const PlyHeader& header_;
   PlyValues values_;
   PlyContent content_;
-  std::uint64_t memory_ = 0;  // of the elements that were read [bytes]
+  std::uint64_t memory_ = 0;       // of the elements that were read [bytes]
+  std::uint64_t of_triangle_ = 0;  // of the element that is read [bytes]
   std::vector<double> list_;
   std::vector<double> corners_;  // of the row
   std::vector<double> uvs_;      // of the row

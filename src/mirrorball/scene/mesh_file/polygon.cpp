@@ -16,10 +16,6 @@ using glm::dvec2;
 using glm::dvec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// How much work is done for a corner: to look at one other corner, or at one row of the grid. All polygons of up to a
-/// thousand corners are done with less, and larger ones whose corners do not all lie in each other's way.
-constexpr std::size_t kStepsPerCorner = 6000;
-
 /// Twice the polygon's area along its normal (Newell's method: exact for any plane polygon, sensible for a bent one).
 dvec3 areaVector(std::span<const glm::vec3> corners) {
   dvec3 sum(0.0);
@@ -30,6 +26,8 @@ dvec3 areaVector(std::span<const glm::vec3> corners) {
 }
 
 /// Corners as they are seen along the polygon's normal, from where it is wound counter-clockwise.
+///
+/// normal   of a length near 1: its third power must be a double
 std::vector<dvec2> seenAlong(dvec3 normal, std::span<const glm::vec3> corners) {
   // The axis that the normal is farthest from makes the frame; of a polygon in a plane of axes it is of axes too.
   const dvec3 size = glm::abs(normal);
@@ -41,6 +39,7 @@ std::vector<dvec2> seenAlong(dvec3 normal, std::span<const glm::vec3> corners) {
   const double across_length = glm::length(across);
   const double up_length = glm::length(up);
   std::vector<dvec2> seen;
+  seen.reserve(corners.size());
   for (const glm::vec3& corner : corners)
     seen.emplace_back(glm::dot(dvec3(corner), across) / across_length, glm::dot(dvec3(corner), up) / up_length);
   return seen;
@@ -68,12 +67,12 @@ class CornerGrid {
       high = glm::max(high, corners_[held_[i]]);
     }
     if (!held_.empty()) shape(high - low_);
-    first_in_cell_.assign(columns_ * rows_ + 1, 0);
-    for (const std::uint32_t corner : held_) ++first_in_cell_[cellHolding(corner) + 1];
+    // Each is one place behind its own until its cell is filled: what counts up to the cell's end is the next one's.
+    first_in_cell_.assign(columns_ * rows_ + 2, 0);
+    for (const std::uint32_t corner : held_) ++first_in_cell_[cellHolding(corner) + 2];
     std::partial_sum(first_in_cell_.begin(), first_in_cell_.end(), first_in_cell_.begin());
     in_cells_.resize(held_.size());
-    std::vector<std::size_t> next = first_in_cell_;
-    for (const std::uint32_t corner : held_) in_cells_[next[cellHolding(corner)]++] = corner;
+    for (const std::uint32_t corner : held_) in_cells_[first_in_cell_[cellHolding(corner) + 1]++] = corner;
     next_held_.resize(held_.size() + 1);
     std::iota(next_held_.begin(), next_held_.end(), std::size_t{0});
   }
@@ -90,7 +89,7 @@ class CornerGrid {
   ///
   /// steps   is raised by what it costs
   template <typename Condition>
-  bool any(std::array<dvec2, 3> triangle, const Condition& holds, std::size_t& steps) {
+  bool any(std::array<dvec2, 3> triangle, const Condition& holds, std::uint64_t& steps) {
     for (dvec2& corner : triangle) corner = inCells(corner);
     const double bottom = std::min({triangle[0].y, triangle[1].y, triangle[2].y});
     const double top = std::max({triangle[0].y, triangle[1].y, triangle[2].y});
@@ -130,7 +129,7 @@ class CornerGrid {
     const double longer = size[longer_], shorter = size[1 - longer_];
     const auto count = static_cast<double>(held_.size());
     const double cell = std::max(std::sqrt(longer * shorter / count), longer / count);
-    if (!(cell > 0.0) || !std::isfinite(1.0 / cell)) return;
+    if (!(cell > 0.0) || !std::isfinite(cell) || !std::isfinite(1.0 / cell)) return;
     cells_per_unit_ = 1.0 / cell;
     columns_ = static_cast<std::size_t>(std::min(longer / cell, count)) + 1;
     rows_ = static_cast<std::size_t>(std::min(shorter / cell, count)) + 1;
@@ -209,7 +208,9 @@ class Clipping {
   std::uint32_t next(std::uint32_t corner) const { return next_[corner]; }
   bool isEar(std::uint32_t corner) const { return is_ear_[corner]; }
   /// Of all looks.
-  std::size_t steps() const { return steps_; }
+  std::uint64_t steps() const { return steps_; }
+  /// Whether they were too many: no more ears are found.
+  bool gaveUp() const { return steps_ > mostSteps(corners_.size()); }
 
   /// Takes an ear away.
   Triangle cut(std::uint32_t ear) {
@@ -255,7 +256,7 @@ class Clipping {
       const dvec2 other = corners_[index];
       return other != a && other != b && other != c && contains(a, b, c, other);
     };
-    is_ear_[corner] = bendsOutwards(corner) && !inward_.any({a, b, c}, isInTheWay, steps_);
+    is_ear_[corner] = !gaveUp() && bendsOutwards(corner) && !inward_.any({a, b, c}, isInTheWay, steps_);
   }
 
   const std::vector<dvec2>& corners_;
@@ -264,36 +265,38 @@ class Clipping {
   std::vector<std::uint32_t> before_;  // of each that is left
   std::vector<bool> is_ear_;
   CornerGrid inward_;  // the corners that are left and do not bend outwards
-  std::size_t steps_ = 0;
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace
 
-std::vector<Triangle> triangulate(std::span<const glm::vec3> corners, bool* gave_up) {
+std::vector<Triangle> triangulate(std::span<const glm::vec3> corners, TriangulationWork* work) {
   std::vector<Triangle> triangles;
   triangles.reserve(corners.size() - 2);
   std::vector<std::uint32_t> left(corners.size());
   std::iota(left.begin(), left.end(), 0u);
 
   const dvec3 normal = areaVector(corners);
-  bool is_done = true;
-  if (corners.size() > 3 && normal != dvec3(0.0)) {
-    const std::vector<dvec2> seen = seenAlong(normal, corners);
+  const double area = glm::length(normal);
+  TriangulationWork done;
+  if (corners.size() > 3 && area > 0.0 && std::isfinite(area)) {
+    // By a power of two, which rounds nothing.
+    const std::vector<dvec2> seen = seenAlong(normal * std::scalbn(1.0, -std::ilogb(area)), corners);
     Clipping clipping(seen);
     // Starting at the second corner makes a convex polygon a fan about the first.
     std::uint32_t corner = 1;
     std::size_t refused = 0;
-    while (clipping.size() > 3 && refused < clipping.size() && is_done) {
+    while (clipping.size() > 3 && refused < clipping.size() && !clipping.gaveUp()) {
       const std::uint32_t next = clipping.next(corner);
       const bool is_ear = clipping.isEar(corner);
       refused = is_ear ? 0 : refused + 1;
       if (is_ear) triangles.push_back(clipping.cut(corner));
       corner = next;
-      is_done = clipping.steps() <= kStepsPerCorner * corners.size();
     }
     left = clipping.remaining();
+    done = {clipping.steps(), clipping.gaveUp() && left.size() > 3};
   }
-  if (gave_up != nullptr) *gave_up = !is_done;
+  if (work != nullptr) *work = done;
   // The last triangle; for a polygon without ears (crossing itself, without area) a fan of what is left.
   for (std::size_t i = 1; i + 1 < left.size(); ++i) triangles.push_back({left[0], left[i], left[i + 1]});
   return triangles;

@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 Bytes plyBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
@@ -165,30 +166,41 @@ TEST(Ply, RefusesFacesThatPrecedeVerticesTheyLack) {
                    ErrorCode::bad_file, "1 triangle names a vertex that is not there");
 }
 
+/// Expects a file of two faces to be read from where the first ends, with a remark as far as the second does not.
+void expectReadWhereverItIsCut(const Bytes& file, std::size_t end_of_first, std::size_t end_of_second) {
+  const Result<Scene> whole = decodePlyText(file);
+  ASSERT_TRUE(whole) << whole.error().message;
+  const std::size_t indices = whole->meshes.at(0)->indices.size();
+  for (std::size_t size = 0; size <= file.size(); ++size) {
+    const Result<Scene> scene = decodePlyText(Bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size)));
+    ASSERT_EQ(bool(scene), size >= end_of_first) << size;
+    if (!scene) continue;
+    const bool is_whole = size >= end_of_second;
+    EXPECT_EQ(scene->meshes.at(0)->indices.size(), is_whole ? indices : indices / 2) << size;
+    if (is_whole)
+      EXPECT_THAT(scene->warnings, IsEmpty()) << size;
+    else
+      EXPECT_THAT(scene->warnings, ElementsAre(HasSubstr("ends in row 2 of 2 of 'face'; it is truncated, and its "
+                                                         "faces up to there")))
+          << size;
+  }
+}
+
 // A row that is cut is not one, and neither is the last number of a text that may have had more digits.
 TEST(Ply, IsReadAsFarAsItsFacesGoWhereverItIsCut) {
-  const Bytes binary = binaryPlySquare(std::endian::little);
   const Bytes text = plyBytes(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
   const std::size_t end_of_first_face = text.size() - std::strlen("3 0 2 3\n");
-  for (std::size_t size = 0; size + 1 < text.size(); ++size) {
-    const Result<Scene> scene = decodePlyText(Bytes(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size)));
-    ASSERT_EQ(bool(scene), size >= end_of_first_face) << size;
-    if (!scene) continue;
-    const std::size_t indices = size + 1 == text.size() ? 6 : 3;
-    EXPECT_EQ(scene->meshes.at(0)->indices.size(), indices) << size;
-    EXPECT_THAT(scene->warnings,
-                ElementsAre(HasSubstr("ends in row 2 of 2 of 'face'; it is truncated, and its faces up to there")));
-  }
-  for (std::size_t size = 0; size < binary.size(); ++size) {
-    const Result<Scene> scene =
-        decodePlyText(Bytes(binary.begin(), binary.begin() + static_cast<std::ptrdiff_t>(size)));
-    if (!scene) continue;
-    EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u) << size;
-    EXPECT_THAT(scene->warnings, ElementsAre(HasSubstr("it is truncated, and its faces up to there"))) << size;
-  }
+  expectReadWhereverItIsCut(text, end_of_first_face, text.size() - 1);  // without its last line break it is whole
+  Bytes binary = binaryPlySquare(std::endian::little);
+  const std::size_t end_of_square = binary.size();
+  const std::string_view count = "element face 1";
+  *(std::search(binary.begin(), binary.end(), count.begin(), count.end()) + std::ptrdiff_t(count.size()) - 1) = '2';
+  const Bytes square(binary.end() - 2 - 4 * std::ptrdiff_t(sizeof(std::uint32_t)), binary.end());
+  binary.insert(binary.end(), square.begin(), square.end());
+  expectReadWhereverItIsCut(binary, end_of_square, binary.size());
 }
 
 TEST(Ply, SurvivesRandomDamage) {
@@ -217,6 +229,28 @@ TEST(Ply, VerticesAndFacesAreRefusedIfTheyAreTooLargeTogether) {
   const std::uint64_t before = memoryLimit();
   setMemoryLimit(4 * sizeof(Vertex) + 200);
   expectPlyRefused(binaryPlySquare(std::endian::little), ErrorCode::too_large, "of memory");
+  setMemoryLimit(before);
+}
+
+// Their rows are few, and their triangles many.
+TEST(Ply, TrianglesOfLargeFacesAndStripsAreAskedFor) {
+  const std::uint64_t before = memoryLimit();
+  const std::uint64_t corners = 10'000, vertices = corners * (sizeof(Vertex) + sizeof(glm::dvec3));
+  for (const std::string element : {"face", "tristrips"}) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 10000\nproperty float x\nproperty float y\n"
+        "property float z\nelement " +
+        element + " 1\nproperty list uint uint vertex_indices\nend_header\n";
+    std::string list = "10000";
+    for (std::uint64_t i = 0; i < corners; ++i) {
+      text += std::to_string(i) + (i % 2 == 0 ? " 0 0\n" : " 1 0\n");
+      list += " " + std::to_string(i);
+    }
+    setMemoryLimit(vertices + 299 * corners);
+    expectPlyRefused(plyBytes(text + list + "\n"), ErrorCode::too_large, "of memory");
+    setMemoryLimit(vertices + 320 * corners);
+    EXPECT_TRUE(decodePlyText(plyBytes(text + list + "\n"))) << element;
+  }
   setMemoryLimit(before);
 }
 

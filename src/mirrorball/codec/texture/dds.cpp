@@ -146,7 +146,7 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::vec
     std::swap(format->masks[0], format->masks[2]);
     oddities.emplace_back(
         "has 10 bits a colour under masks from before DX10, where D3DX exchanged red and blue: read "
-        "so; with a DX10 header it would be certain");
+        "so; if its colours are exchanged now, save it with a DX10 header, which leaves no doubt");
   }
   return *format;
 }
@@ -240,14 +240,23 @@ std::uint32_t mostLevels(const TextureShape& shape) {
   return static_cast<std::uint32_t>(std::bit_width(std::max(shape.width, shape.height)));
 }
 
+/// Whether a file behind whose texels some bytes are left was filled up with them: few, and all 0.
+bool isFilledUp(Span left) {
+  constexpr std::size_t kMostFilling = 64;
+  return left.size() < kMostFilling &&
+         std::all_of(left.begin(), left.end(), [](std::uint8_t byte) { return byte == 0; });
+}
+
 /// Levels of several images, of which the file has not all: fewer of each, or it ends within the smallest ones of the
-/// last image.
-void settleCutLevels(std::uint64_t stated_bytes, std::uint64_t available, DdsHeader& header) {
+/// last image. Where its length alone would allow both, what is left behind the fewer levels decides.
+void settleCutLevels(std::uint64_t stated_bytes, Span texels, DdsHeader& header) {
+  const std::uint64_t available = texels.size();
   TextureShape& shape = header.shape;
   const std::uint32_t stated = shape.levels;
   const std::uint64_t of_image = stated_bytes / shape.imagesPerLevel();
   while (shape.levels > 1 && header.texelBytes() > available) --shape.levels;
-  if (header.texelBytes() == available) {
+  const std::uint64_t fewer_bytes = header.texelBytes();
+  if (fewer_bytes <= available && isFilledUp(texels.subspan(static_cast<std::size_t>(fewer_bytes)))) {
     header.stored_levels = shape.levels;
     return;
   }
@@ -261,7 +270,8 @@ void settleCutLevels(std::uint64_t stated_bytes, std::uint64_t available, DdsHea
 
 /// Levels that a header counts and the file does not have (microsoft/DirectXTex#394, #484), or the other way round. The
 /// second of several images begins behind the levels of the first: there nothing but the file's length can tell.
-void settleLevels(std::uint64_t available, DdsHeader& header) {
+void settleLevels(Span texels, DdsHeader& header) {
+  const std::uint64_t available = texels.size();
   TextureShape& shape = header.shape;
   const std::uint32_t stated = header.stored_levels = shape.levels;
   const std::uint64_t stated_bytes = header.texelBytes();
@@ -272,7 +282,7 @@ void settleLevels(std::uint64_t available, DdsHeader& header) {
     if (header.texelBytes() != available) shape.levels = stated;
     header.stored_levels = shape.levels;
   } else if (stated_bytes > available) {
-    settleCutLevels(stated_bytes, available, header);
+    settleCutLevels(stated_bytes, texels, header);
   }
   if (shape.levels != stated) header.oddities.push_back(levelsRemark(stated, shape.levels));
 }
@@ -326,27 +336,27 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
   MIRRORBALL_TRY_VOID(settleCube(caps2, is_dx10, available, header));
   MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
   settleRows(u32(20), available, header);
-  settleLevels(available, header);
+  settleLevels(bytes.subspan(header.size), header);
   return header;
 }
 
+/// texels   the largest levels of each image at least
 /// format   of the texels, in its reading
-Result<ImageSet> readImages(const std::uint8_t* texels, const DdsHeader& header, const StoredFormat& format) {
+Result<ImageSet> readImages(Span texels, const DdsHeader& header, const StoredFormat& format) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
+  std::uint64_t begin = 0;  // of the next image; behind the last that is read, perhaps not in the file
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < static_cast<int>(header.stored_levels); ++level) {
         const std::uint64_t size = imageSize(shape, header.format, level, header.row_alignment);
-        if (level >= images.levels()) {
-          texels += size;
-          continue;
-        }
+        const std::uint64_t at = std::exchange(begin, begin + size);
+        if (level >= images.levels()) continue;
         const auto row =
             static_cast<std::size_t>(size / blocksAlong(header.format, std::uint64_t(shape.heightAt(level))));
-        MIRRORBALL_TRY(image, unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level)));
+        const std::uint8_t* const first = texels.data() + static_cast<std::size_t>(at);
+        MIRRORBALL_TRY(image, unpackTexels(format, first, row, shape.widthAt(level), shape.heightAt(level)));
         images.at(level, face, layer) = std::move(image);
-        texels += size;
       }
   return images;
 }
@@ -365,7 +375,7 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format));
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   const StoredFormat format = as == ReadAs::light ? header.format : withoutCurve(header.format);
-  MIRRORBALL_TRY(images, readImages(bytes.data() + header.size, header, format));
+  MIRRORBALL_TRY(images, readImages(bytes.subspan(header.size), header, format));
   if (format != header.format && !header.encoding_assumed) tellUnapplied("sRGB", header.oddities);
   const std::string color = describeColor(transferCurve(format), {}, imageChannels(format)) + assumed;
   return DecodedImageSet{.images = std::move(images),

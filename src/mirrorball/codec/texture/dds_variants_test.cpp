@@ -137,6 +137,16 @@ TEST(DdsVariants, OfSeveralImagesTheLevelsThatAllHaveAreRead) {
   }
 }
 
+// By its length alone the file might as well end in the last texel of the last image.
+TEST(DdsVariants, FewerLevelsThanCountedMayBeFilledUp) {
+  for (const ImageSet& fewer : {makeTexture(2, 6, 1, 3, 4, 4), makeTexture(2, 1, 2, 3, 4, 4)})
+    for (const std::size_t filling : {1u, 31u}) {
+      Bytes file = with(encoded(fewer), kMipCountAt, 3);
+      file.resize(file.size() + filling);
+      EXPECT_THAT(remarksOn(file, fewer), ElementsAre("counts 3 mip levels, and has texels for 2: read so"));
+    }
+}
+
 TEST(DdsVariants, BytesBehindTheTexelsAreLeftOut) {
   for (const ImageSet& images : {makeTexture(1, 6, 1, 3, 4, 4), makeTexture(2, 1, 1, 3, 4, 4)}) {
     Bytes file = encoded(images);

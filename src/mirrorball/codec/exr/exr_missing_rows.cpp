@@ -43,7 +43,7 @@ class ChunkWalker {
       if (is_multi_part_) chunk.part = number();
       if (chunk.part < 0 || chunk.part >= file_.parts()) return std::nullopt;
       const Imf::Header& header = file_.header(chunk.part);
-      if (header.hasTileDescription()) {
+      if (isTiledPart(file_, chunk.part)) {
         number();  // which of its row
         chunk.row = number();
         const int level_x = number();
@@ -99,10 +99,16 @@ class ChunkWalker {
 
 }  // namespace
 
-int rowsInExrChunk(const Imf::Header& header) {
+bool isTiledPart(const Imf::MultiPartInputFile& file, int part) {
+  const Imf::Header& header = file.header(part);
+  return header.hasType() ? Imf::isTiled(header.type()) : Imf::isTiled(file.version());
+}
+
+int rowsInExrChunk(const Imf::MultiPartInputFile& file, int part) {
+  const Imf::Header& header = file.header(part);
   const Imath::Box2i& window = header.dataWindow();
   const int height = window.max.y - window.min.y + 1;
-  if (header.hasTileDescription())
+  if (isTiledPart(file, part))
     return static_cast<int>(std::min(header.tileDescription().ySize, static_cast<unsigned>(height)));
   constexpr std::array<int, 10> kLines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};  // of each compression
   const auto compression = static_cast<std::size_t>(header.compression());
@@ -114,8 +120,8 @@ std::vector<std::uint8_t> missingExrRows(Imf::IStream& stream, const Imf::MultiP
   const Imf::Header& header = file.header(part);
   const Imath::Box2i& window = header.dataWindow();
   const auto height = std::int64_t{window.max.y} - window.min.y + 1;
-  const std::int64_t rows = rowsInExrChunk(header);
-  const bool is_tiled = header.hasTileDescription();
+  const std::int64_t rows = rowsInExrChunk(file, part);
+  const bool is_tiled = isTiledPart(file, part);
   const std::int64_t across =
       is_tiled ? (std::int64_t{window.max.x} - window.min.x) / header.tileDescription().xSize + 1 : 1;
   std::vector<std::int64_t> there(static_cast<std::size_t>((height - 1) / rows + 1), 0);  // chunks beside each other

@@ -8,8 +8,14 @@
 
 namespace mirrorball {
 
+/// Whether a part is stored in tiles. Its attribute `tiles` does not tell: programs that convert tiles to scan lines
+/// leave it in the header, where it means nothing.
+///
+/// from   "OpenEXR File Layout", Version Field, and type
+bool isTiledPart(const Imf::MultiPartInputFile& file, int part);
+
 /// How many scan lines a chunk of a part has, or how many rows a tile.
-int rowsInExrChunk(const Imf::Header& header);
+int rowsInExrChunk(const Imf::MultiPartInputFile& file, int part);
 
 /// Finds the rows that a file lacks because its writer, or who copied it, did not get to the end: walks over its
 /// chunks, which lie one behind the other, up to the first that is not whole. Rows of which one tile is missing are.

@@ -97,9 +97,10 @@ TEST(ExrMissingRows, OfARendererThatStoppedAreBlack) {
   }
 }
 
-// Renderers of buckets write tiles in the order in which they are done.
-TEST(ExrMissingRows, BetweenOthersAreCounted) {
-  const Image image = gradient(40, 96, 3);
+/// 40 x 96 texels in tiles of 32 x 32, the lowest two first and the ones in the middle last.
+///
+/// last   how many of these two are written
+Bytes tilesInNoOrder(const Image& image, int last) {
   Imf::Header header = exrHeader(40, 96, Imf::ZIP_COMPRESSION, Imf::RANDOM_Y);
   header.setTileDescription(Imf::TileDescription(32, 32, Imf::ONE_LEVEL));
   testing::addChannels(header, kRgbNames);
@@ -109,13 +110,45 @@ TEST(ExrMissingRows, BetweenOthersAreCounted) {
     file.setFrameBuffer(testing::frameOf(image, kRgbNames, header.dataWindow()));
     file.writeTiles(0, 1, 2, 2);
     file.writeTiles(0, 1, 0, 0);
-    file.writeTile(1, 1);
+    for (int tile = 0; tile < last; ++tile) file.writeTile(1 - tile, 1);
   }
-  const DecodedImage read = decoded(stream.takeBytes());
-  EXPECT_THAT(read.oddities, ElementsAre("was not written to its end: the 32 rows that are missing are black"));
-  for (int y = 0; y < 96; ++y)
-    for (int x = 0; x < 40; ++x)
-      ASSERT_EQ(read.image.texel(x, y)[1], y / 32 == 1 ? 0.0f : image.texel(x, y)[1]) << x << ", " << y;
+  return stream.takeBytes();
+}
+
+// Renderers of buckets write tiles in the order in which they are done.
+TEST(ExrMissingRows, BetweenOthersAreCounted) {
+  const Image image = gradient(40, 96, 3);
+  Bytes cut = tilesInNoOrder(image, 2);
+  EXPECT_EQ(decoded(cut).oddities, std::vector<std::string>{});
+  cut.pop_back();
+  for (const Bytes& file : {tilesInNoOrder(image, 1), cut}) {
+    const DecodedImage read = decoded(file);
+    EXPECT_THAT(read.oddities, ElementsAre("was not written to its end: the 32 rows that are missing are black"));
+    for (int y = 0; y < 96; ++y)
+      for (int x = 0; x < 40; ++x)
+        ASSERT_EQ(read.image.texel(x, y)[1], y / 32 == 1 ? 0.0f : image.texel(x, y)[1]) << x << ", " << y;
+  }
+}
+
+// As programs leave it that convert tiles to scan lines and keep the other attributes.
+TEST(ExrMissingRows, OfScanLinesThatOnceWereTilesAreFound) {
+  const Image image = gradient(7, 60, 3);
+  for (const Imf::LineOrder order : {Imf::INCREASING_Y, Imf::DECREASING_Y}) {
+    Imf::Header header = exrHeader(7, 60, Imf::ZIP_COMPRESSION, order);
+    header.setTileDescription(Imf::TileDescription(32, 32, Imf::ONE_LEVEL));
+    Bytes bytes = testing::foreignFile(header, image, kRgbNames);
+    bytes[5] &= static_cast<std::uint8_t>(~0x02u);  // the flag of tiles, which OpenEXR sets for the attribute
+    const DecodedImage whole = decoded(bytes);
+    EXPECT_EQ(whole.format, "OpenEXR, float, ZIP");
+    EXPECT_EQ(whole.oddities, std::vector<std::string>{});
+    testing::expectSameBits(whole.image, image);
+    bytes.pop_back();
+    const DecodedImage cut = decoded(bytes);
+    // From below the last chunk has all its sixteen rows.
+    const bool is_from_top = order == Imf::INCREASING_Y;
+    EXPECT_THAT(cut.oddities, ElementsAre(HasSubstr(is_from_top ? "the 12 rows" : "the 16 rows")));
+    expectBlackBut(cut.image, image, is_from_top ? 0 : 16, is_from_top ? 48 : 60);
+  }
 }
 
 // Rows that the picture does not show are not missed.

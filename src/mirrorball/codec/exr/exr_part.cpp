@@ -62,15 +62,16 @@ void ExrPart::openFile(bool finds_offsets) {
   file_ = std::make_unique<Imf::MultiPartInputFile>(*stream_, Imf::globalThreadCount(), finds_offsets);
 }
 
-/// Whether the chunk can be read that was written last, unless tiles were written in no order.
+bool ExrPart::isTiled() const { return isTiledPart(*file_, layer().part); }
+
 bool ExrPart::hasLastChunk() const {
   const Imath::Box2i& data = window_.data;
-  const int rows = rowsInExrChunk(header());
+  const int rows = rowsInExrChunk(*file_, layer().part);
   const int first = header().lineOrder() == Imf::DECREASING_Y ? 0 : (data.max.y - data.min.y) / rows * rows;
   const int last = std::min(first + rows - 1, data.max.y - data.min.y);
   Imf::InputPart part(*file_, layer().part);
   try {
-    if (header().hasTileDescription()) {
+    if (isTiled()) {
       std::vector<float> texels(std::size_t(channels()) * std::size_t(window_.dataWidth()) *
                                 std::size_t(last - first + 1));
       readInto(texels.data(), {{data.min.x, data.min.y + first}, {data.max.x, data.min.y + last}});
@@ -93,11 +94,12 @@ Result<void> ExrPart::findMissingRows(std::uint64_t first_chunk, std::uint64_t f
                 "part of its luminance and chroma is missing; the file was not written to its end");
   }
   // Tiles are only read decoded, as many as stand beside each other.
-  const int rows = header().hasTileDescription() ? rowsInExrChunk(header()) : 1;
+  const int rows = isTiled() ? rowsInExrChunk(*file_, layer().part) : 1;
   MIRRORBALL_TRY_VOID(checkImageMemory(window_.dataWidth(), rows, channels()));
-  if (has_all_offsets && hasLastChunk()) return {};
+  // Of tiles in no order, which lineOrder calls random, any may have been the last.
+  if (has_all_offsets && header().lineOrder() != Imf::RANDOM_Y && hasLastChunk()) return {};
   is_missing_ = missingExrRows(*stream_, *file_, layer().part, first_chunk, file_size);
-  // What OpenEXR takes for its place in the file is so no longer.
+  // The search has moved the stream, and OpenEXR trusts that it alone does: so the file is opened anew.
   openFile(/*finds_offsets=*/!has_all_offsets);
   if (missingRows() == height())
     return fail(ErrorCode::bad_file, "none of its rows is whole; the file was not written to its end");
@@ -164,7 +166,7 @@ void ExrPart::readRows(int first, int count, float* samples) const {
 void ExrPart::readWholeRows(int first, int count, float* samples) const {
   const auto texel_samples = static_cast<std::size_t>(channels());
   const std::size_t row_samples = texel_samples * std::size_t(width());
-  // Neither what lies outside of the data window nor the third of two numbers is in the file.
+  // Texels outside of the data window are not in the file, and neither is the third sample of a layer of two numbers.
   if (!window_.isFull() || layer().channels.size() == 2) std::fill_n(samples, row_samples * std::size_t(count), 0.0f);
   const int top = window_.picture.min.y + first;
   Imath::Box2i rows({window_.picture.min.x, std::max(top, window_.data.min.y)},
@@ -210,7 +212,7 @@ std::string ExrPart::describe() const {
   const auto compression = static_cast<std::size_t>(header().compression());
   std::string text = std::string("OpenEXR, ") + type + ", " +
                      (compression < kCompressions.size() ? kCompressions[compression] : "unknown");
-  if (header().hasTileDescription()) text += ", tiled";
+  if (isTiled()) text += ", tiled";
   if (hasChroma()) text += ", luminance and chroma";
   if (!layer().is_plain || layer().kind == ExrLayerKind::numbers) text += ", layer " + printable(layer().name);
   if (layer().part > 0) text += ", part " + std::to_string(layer().part + 1);

@@ -40,6 +40,7 @@ class ExrPart {
   const ExrLayer& layer() const { return layers_[choice_.index]; }
   const ExrWindow& window() const { return window_; }
   const Imf::Header& header() const { return file_->header(layer().part); }
+  bool isTiled() const;
 
   Metadata metadata() const;
   /// What the file states of its colour, if anything, of a layer that has some.
@@ -66,6 +67,7 @@ class ExrPart {
  private:
   /// finds_offsets  whether chunks are looked for that the table of offsets lacks, in the whole file
   void openFile(bool finds_offsets);
+  /// Whether the chunk is there that was written last, of a file that is written from its top or its bottom.
   bool hasLastChunk() const;
   Result<void> findMissingRows(std::uint64_t first_chunk, std::uint64_t file_size);
   /// Of the picture, counted from its top.

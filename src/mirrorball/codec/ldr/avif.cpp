@@ -103,11 +103,20 @@ int cameraOrientation(const avifImage& image) {
   return kTurnedAndMirrored[image.imir.mode == 0 ? 0 : 1][quarters];
 }
 
-/// The part of the picture that is to be shown, before it is turned; nothing: all of it.
+/// A fraction rounded to the next whole number; a half upwards.
 ///
-/// errors   unsupported: its edges are between texels
+/// divisor   greater than 0
+std::int64_t rounded(std::int64_t numerator, std::int64_t divisor) {
+  const std::int64_t doubled = 2 * numerator + divisor;
+  const std::int64_t whole = doubled / (2 * divisor);
+  return doubled % (2 * divisor) < 0 ? whole - 1 : whole;
+}
+
+/// The part of the picture that is to be shown, before it is turned; nothing: all of it. Edges between texels, which
+/// whoever crops about the middle easily writes, are rounded.
+///
 /// from     ISO/IEC 14496-12:2015, 12.1.4.3: the aperture's size, and how far its middle lies from the picture's
-Result<std::optional<PictureWindow>> cleanAperture(const avifImage& image, std::vector<std::string>& oddities) {
+std::optional<PictureWindow> cleanAperture(const avifImage& image, std::vector<std::string>& oddities) {
   if ((image.transformFlags & AVIF_TRANSFORM_CLAP) == 0) return std::nullopt;
   const avifCleanApertureBox& clap = image.clap;
   PictureWindow window{.size = {int(image.width), int(image.height)}};
@@ -116,17 +125,16 @@ Result<std::optional<PictureWindow>> cleanAperture(const avifImage& image, std::
   };
   const Side sides[2]{{clap.widthN, clap.widthD, clap.horizOffN, clap.horizOffD},
                       {clap.heightN, clap.heightD, clap.vertOffN, clap.vertOffD}};
+  bool is_rounded = false;
   for (int i = 0; i < 2; ++i) {
     const std::int64_t divisor = sides[i].size_divisor, offset_divisor = sides[i].offset_divisor;
-    const std::int64_t size = divisor > 0 ? sides[i].size / divisor : 0;
+    const std::int64_t size = divisor > 0 ? rounded(sides[i].size, divisor) : 0;
     if (size < 1 || size > window.size[i] || offset_divisor == 0) return withoutAperture(oddities);
     // Twice the distance of its edge from the picture's, times the divisor.
     const std::int64_t doubled =
         2 * std::int64_t{static_cast<std::int32_t>(sides[i].offset)} + offset_divisor * (window.size[i] - size);
-    if (sides[i].size % divisor != 0 || doubled % (2 * offset_divisor) != 0)
-      return fail(ErrorCode::unsupported,
-                  "is to be cut (clap) between texels, which would blur it; save it cut to whole texels");
-    const std::int64_t edge = doubled / (2 * offset_divisor);
+    const std::int64_t edge = rounded(doubled, 2 * offset_divisor);
+    is_rounded |= sides[i].size % divisor != 0 || doubled % (2 * offset_divisor) != 0;
     if (edge < 0 || edge + size > window.size[i]) return withoutAperture(oddities);
     window.whole[i] = int(size);
     window.corner[i] = -int(edge);
@@ -134,7 +142,7 @@ Result<std::optional<PictureWindow>> cleanAperture(const avifImage& image, std::
   if (window.whole == window.size) return std::nullopt;
   oddities.push_back("is cut to " + sizeText(window.whole) + " of its " + sizeText(window.size) + " texels at (" +
                      std::to_string(-window.corner.x) + ", " + std::to_string(-window.corner.y) +
-                     "), as its clean aperture (clap) says");
+                     "), as its clean aperture (clap) says" + (is_rounded ? ", rounded to whole texels" : ""));
   return window;
 }
 
@@ -180,7 +188,7 @@ Result<CodedFile> decodeAvif(Span bytes, CodeForm form) {
   MIRRORBALL_TRY(picture, pictureOf(decoder, form, bytes));
   const avifImage& image = *decoder->image;
   std::vector<std::string> oddities;
-  MIRRORBALL_TRY(aperture, cleanAperture(image, oddities));
+  const std::optional<PictureWindow> aperture = cleanAperture(image, oddities);
   if (aperture) std::visit([&](auto& codes) { codes = placedInWindow(codes, *aperture); }, picture);
   CodedColor color = image.icc.size > 0 ? codedColor(readIccProfile({image.icc.data, image.icc.size}))
                                         : codedColor(image.colorPrimaries, image.transferCharacteristics);

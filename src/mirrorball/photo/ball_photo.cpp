@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/picture_layers.h"
 #include "mirrorball/photo/merge.h"
@@ -52,8 +53,7 @@ const auto kBallPhotoOptions = std::to_array<Option<BallPhotoSettings>>({
     {{.name = "response",
       .choices = "auto|srgb|gamma|linear",
       .help = "the camera's response curve; auto recovers it from a series, assumes sRGB for a single photograph, and "
-              "takes "
-              "linear codes for light",
+              "takes linear codes for light",
       .group = "Light"},
      choiceField<&BallPhotoSettings::response>},
     {layerText("Light"), &BallPhotoSettings::layer},
@@ -117,9 +117,12 @@ Result<void> checkBallPhoto(const BallPhotoSettings& settings) {
 
 Result<BallLight> readBallLight(std::span<const std::string> files, const BallPhotoSettings& settings,
                                 const std::optional<Response>& known) {
+  MemoryBudget memory;
   std::vector<Photograph> photographs;
   for (const std::string& file : files) {
+    MemoryShare share(memory);
     MIRRORBALL_TRY(photograph, readPhotograph(file, settings.layer));
+    MIRRORBALL_TRY_VOID(withName(file, share.keep(photograph.bytes())));
     photographs.push_back(std::move(photograph));
   }
   MergeOptions how;
@@ -127,6 +130,7 @@ Result<BallLight> readBallLight(std::span<const std::string> files, const BallPh
   how.exposures = std::move(exposures);
   if (settings.response > 0) how.response = static_cast<ResponseKind>(settings.response - 1);
   if (photographs.size() == 1 && !how.response) how.known = known;
+  const MemoryShare share(memory);
   MIRRORBALL_TRY(merged, mergePhotographs(photographs, how));
   const Photograph& reference = photographs[merged.reference];
   return BallLight{.light = std::move(merged.light),

@@ -50,7 +50,8 @@ struct BallLight {
 ///
 /// files    at least one
 /// known    the camera's response that another series has shown; for a single photograph of which none is given
-/// errors   usage (what is no exposure time); as readPhotograph's and mergePhotographs'
+/// errors   usage (times that cannot be read); too_large (all photographs together, and their light); as
+///          readPhotograph's and mergePhotographs'
 Result<BallLight> readBallLight(std::span<const std::string> files, const BallPhotoSettings& settings,
                                 const std::optional<Response>& known = {});
 

@@ -1,8 +1,12 @@
 #include "mirrorball/photo/ball_photo.h"
 
+#include <string_view>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/photo/find_ball_testing.h"
 
@@ -78,6 +82,27 @@ TEST(BallPhoto, WhatCannotBeIsRefusedBeforeAnythingIsRead) {
   EXPECT_TRUE(checkBallPhoto(settings));
   settings.fov_deg = 40.0f;
   EXPECT_THAT(checkBallPhoto(settings).error().message, HasSubstr("say the same"));
+}
+
+// Each fits by itself.
+TEST(BallPhoto, ASeriesThatIsTooLargeIsRefused) {
+  const std::string path = ::testing::TempDir() + "one_of_many.ppm";
+  const std::string_view header = "P6 256 256 255\n";
+  Bytes picture(header.begin(), header.end());
+  picture.resize(picture.size() + 256 * 256 * 3, std::uint8_t{100});
+  ASSERT_TRUE(writeFile(path, picture));
+  const std::vector<std::string> series(40, path);
+  std::string exposures = "1";
+  for (std::size_t i = 1; i < series.size(); ++i) exposures += ",1/" + std::to_string(i + 1);
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{6} << 20u);
+  const auto one = readBallLight(std::span(series).first(1), {});
+  const auto all = readBallLight(series, {.exposures = exposures, .response = 1});
+  setMemoryLimit(usual);
+  EXPECT_TRUE(one) << one.error().message;
+  ASSERT_FALSE(all);
+  EXPECT_EQ(all.error().code, ErrorCode::too_large) << all.error().message;
+  EXPECT_THAT(all.error().message, ::testing::StartsWith(path + ": needs "));
 }
 
 TEST(BallPhoto, TheTableHoldsAllSettings) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
@@ -304,13 +305,26 @@ void mergeLinear(std::span<const Photograph> photographs, const CodesOfAll& code
                                                  {.exposures = {}, .response = ResponseKind::linear});
 }
 
+/// Whether it is the merged light by itself.
+bool isMergedLight(const Photograph& photograph) { return !photograph.light.empty() && !photograph.is_clipped_at_1; }
+
+/// The merged light, and linear codes that are rounded. They are asked for at once, before any is taken.
+Result<void> checkMergeMemory(std::span<const Photograph> photographs) {
+  const Photograph& first = photographs.front();
+  if (isMergedLight(first)) return checkMemory(first.bytes());
+  constexpr std::uint64_t kMergedTexel = 3 * sizeof(float), kRoundedTexel = 4;
+  const std::uint64_t rounded = first.is_clipped_at_1 ? photographs.size() * kRoundedTexel : 0;
+  return checkMemory((kMergedTexel + rounded) * std::uint64_t(first.width()) * std::uint64_t(first.height()));
+}
+
 }  // namespace
 
 Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
   MIRRORBALL_TRY_VOID(checkSeries(photographs));
   const Photograph& first = photographs.front();
   MergedPhotographs merged;
-  if (!first.light.empty() && !first.is_clipped_at_1) {
+  MIRRORBALL_TRY_VOID(withName(first.name, checkMergeMemory(photographs)));
+  if (isMergedLight(first)) {
     merged.light = first.light;
     merged.contradicts_stops = {0.0};
     merged.response = "linear light";

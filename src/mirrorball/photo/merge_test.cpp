@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/color.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/codec/color/primaries.h"
 #include "mirrorball/photo/photo_testing.h"
@@ -180,6 +181,21 @@ TEST(Merge, LinearCodesAreConvertedOnceTheyAreMerged) {
   ASSERT_TRUE(merged) << merged.error().message;
   const glm::vec3 expected = *rec709FromPrimaries(kDisplayP3) * glm::vec3(0.5f, 0.0f, 0.5f);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(merged->light.texel(3, 3)[c], expected[c], 1e-5f);
+}
+
+TEST(Merge, MemoryIsCheckedBeforeItIsTaken) {
+  const auto series = linearSeries(Image(256, 256, 3, 0.5f), kExposures);
+  const std::uint64_t usual = memoryLimit();
+  const std::uint64_t needed = 256 * 256 * (12 + 4 * kExposures.size());
+  setMemoryLimit(needed);
+  const auto merged = mergePhotographs(series, {.exposures = kExposures});
+  setMemoryLimit(needed - 1);
+  const auto refused = mergePhotographs(series, {.exposures = kExposures});
+  setMemoryLimit(usual);
+  EXPECT_TRUE(merged) << merged.error().message;
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_THAT(refused.error().message, ::testing::StartsWith(series.front().name + ": needs "));
 }
 
 TEST(Merge, FloatsOfASeriesDoNotSayWhereTheyAreClipped) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct Photograph {
 
   int width() const { return codes.empty() ? light.width() : codes.width(); }
   int height() const { return codes.empty() ? light.height() : codes.height(); }
+  /// Of its picture.
+  std::uint64_t bytes() const { return codes.samples().size_bytes() + light.samples().size_bytes(); }
 };
 
 /// Reads a photograph, upright. Integers of 16 bits are rounded to 8, but for those that the file says are proportional

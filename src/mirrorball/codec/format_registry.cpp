@@ -86,7 +86,8 @@ std::optional<ImageFormatId> formatBegunBy(Span bytes) {
   for (const ImageFormat& format : kImageFormats)
     if (format.id != ImageFormatId::tga && kBegins[static_cast<std::size_t>(format.id)](bytes)) return format.id;
   if (isTga(bytes)) return ImageFormatId::tga;
-  // Nor is a JPEG meant in an archive that begins with one.
+  // A JPEG may stand behind bytes that belong to nothing; but where these begin a file of another kind, such as an
+  // archive with a JPEG in it, the file is not meant as that picture.
   const bool is_late_jpeg = beginOfJpeg(bytes) && !foreignFileError(FileUse::picture, bytes);
   return is_late_jpeg ? std::optional(ImageFormatId::jpeg) : std::nullopt;
 }

@@ -12,8 +12,8 @@
 
 namespace mirrorball {
 
-/// Rows of a picture that its file does not hold, because it ends early or is damaged. What is there is read, what is
-/// missing is black, and one remark says how much that is.
+// Rows of a picture that its file does not hold, because it ends early or is damaged. What is there is read, what is
+// missing is black, and one remark says how much that is.
 
 /// "the 12 rows that are missing are black": the end of a remark.
 ///

@@ -221,8 +221,7 @@ Result<JpegPicture> readJpegPicture(std::span<const std::uint8_t> bytes, CodeFor
   if (!picture && end && picture.error().code == ErrorCode::bad_file) picture = readUpTo(jpeg.first(*end), form, end);
   if (picture && begin > 0)
     picture->file.oddities.push_back(counted(begin, "byte") +
-                                     " before its beginning belong to nothing, and are passed "
-                                     "over");
+                                     " before its beginning belong to nothing, and are passed over");
   return picture;
 }
 

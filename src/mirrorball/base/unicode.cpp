@@ -44,6 +44,44 @@ std::optional<Utf16> findUnits(std::span<const std::uint8_t> bytes) {
   return std::nullopt;
 }
 
+/// Calls `take` with each code point of such a text but its mark.
+template <typename Take>
+void forEachPoint(const Utf16& units, Take take) {
+  for (std::size_t i = units.at(0) == kMark ? 1 : 0; i < units.size(); ++i) {
+    char32_t point = units.at(i);
+    if (isFirstOfPair(point) && i + 1 < units.size() && isSecondOfPair(units.at(i + 1)))
+      point = 0x10000 + ((point - 0xD800) << 10) + (units.at(++i) - 0xDC00);
+    take(point);
+  }
+}
+
+/// How many bytes appendUtf8() writes.
+std::size_t sizeInUtf8(char32_t point) { return point < 0x80 ? 1 : point < 0x800 ? 2 : point < 0x10000 ? 3 : 4; }
+
+template <typename Text>
+void append(Text& text, char32_t point) {
+  if (point > 0x10FFFF || isSurrogate(point)) point = kReplacement;
+  const auto put = [&](char32_t byte) {
+    text.push_back(static_cast<typename Text::value_type>(static_cast<unsigned char>(byte)));
+  };
+  const auto putRest = [&](int shift) { put(0x80 | (point >> shift & 0x3F)); };
+  if (point < 0x80) {
+    put(point);
+  } else if (point < 0x800) {
+    put(0xC0 | point >> 6);
+    putRest(0);
+  } else if (point < 0x10000) {
+    put(0xE0 | point >> 12);
+    putRest(6);
+    putRest(0);
+  } else {
+    put(0xF0 | point >> 18);
+    putRest(12);
+    putRest(6);
+    putRest(0);
+  }
+}
+
 }  // namespace
 
 CodePoint firstCodePoint(std::string_view text) {
@@ -70,40 +108,23 @@ CodePoint firstCodePoint(std::string_view text) {
   return {};
 }
 
-void appendUtf8(std::string& text, char32_t point) {
-  if (point > 0x10FFFF || isSurrogate(point)) point = kReplacement;
-  const auto put = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  const auto putRest = [&](int shift) { put(0x80 | (point >> shift & 0x3F)); };
-  if (point < 0x80) {
-    put(point);
-  } else if (point < 0x800) {
-    put(0xC0 | point >> 6);
-    putRest(0);
-  } else if (point < 0x10000) {
-    put(0xE0 | point >> 12);
-    putRest(6);
-    putRest(0);
-  } else {
-    put(0xF0 | point >> 18);
-    putRest(12);
-    putRest(6);
-    putRest(0);
-  }
-}
+void appendUtf8(std::string& text, char32_t point) { append(text, point); }
 
 bool isUtf16(std::span<const std::uint8_t> bytes) { return findUnits(bytes).has_value(); }
 
-std::string utf8FromUtf16(std::span<const std::uint8_t> bytes) {
-  std::string text;
+std::size_t utf8Size(std::span<const std::uint8_t> bytes) {
+  std::size_t size = 0;
+  if (const std::optional<Utf16> units = findUnits(bytes))
+    forEachPoint(*units, [&](char32_t point) { size += sizeInUtf8(point); });
+  return size;
+}
+
+std::vector<std::uint8_t> utf8FromUtf16(std::span<const std::uint8_t> bytes) {
+  std::vector<std::uint8_t> text;
   const std::optional<Utf16> units = findUnits(bytes);
   if (!units) return text;
-  text.reserve(bytes.size() / 2);
-  for (std::size_t i = units->at(0) == kMark ? 1 : 0; i < units->size(); ++i) {
-    char32_t point = units->at(i);
-    if (isFirstOfPair(point) && i + 1 < units->size() && isSecondOfPair(units->at(i + 1)))
-      point = 0x10000 + ((point - 0xD800) << 10) + (units->at(++i) - 0xDC00);
-    appendUtf8(text, point);
-  }
+  text.reserve(utf8Size(bytes));
+  forEachPoint(*units, [&](char32_t point) { append(text, point); });
   return text;
 }
 

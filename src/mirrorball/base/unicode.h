@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mirrorball {
 
@@ -28,13 +29,15 @@ bool isUtf16(std::span<const std::uint8_t> bytes);
 /// What is odd about such a file, as the continuation of "NAME: ".
 inline constexpr std::string_view kIsUtf16 = "is in UTF-16, and is read as the UTF-8 that it stands for";
 
-/// The most bytes that utf8FromUtf16() makes of so many.
-constexpr std::uint64_t mostUtf8(std::uint64_t utf16_bytes) { return utf16_bytes / 2 * 3; }
+/// How many bytes utf8FromUtf16() makes of a text: at most 3 of each 2.
+///
+/// cost     O(n)
+std::size_t utf8Size(std::span<const std::uint8_t> bytes);
 
 /// A text for which isUtf16() holds, in UTF-8 and without its byte-order mark; surrogates that are not a pair are
 /// U+FFFD.
 ///
-/// cost     O(n), and mostUtf8() of memory
-std::string utf8FromUtf16(std::span<const std::uint8_t> bytes);
+/// cost     O(n), and utf8Size() of memory
+std::vector<std::uint8_t> utf8FromUtf16(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

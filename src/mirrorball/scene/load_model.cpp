@@ -23,6 +23,7 @@
 #include "mirrorball/scene/mesh_file/obj.h"
 #include "mirrorball/scene/mesh_file/ply.h"
 #include "mirrorball/scene/mesh_file/stl.h"
+#include "mirrorball/scene/mesh_file/stl_facets.h"
 #include "mirrorball/scene/model_origin.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/faceted.h"
@@ -188,15 +189,26 @@ bool someFaceInwards(const Scene& scene) {
   });
 }
 
+/// A model's error is about its file, and a model is not smaller in a smaller picture.
+template <typename Value>
+Result<Value> ofModel(const std::string& path, Result<Value> result) {
+  if (!result && result.error().fix_hint == FixHint::raise_memory_or_shrink)
+    result.error().fix_hint = FixHint::raise_memory;
+  return withName(path, std::move(result));
+}
+
 /// The bytes of a model's file; of a text in UTF-16 those of the same in UTF-8.
-Result<Bytes> readModelFile(const std::string& path, bool& is_utf16) {
+Result<Bytes> readModelFile(const std::string& path, const ModelFormat& format, bool& is_utf16) {
   MIRRORBALL_TRY(bytes, readFile(path));
   if (bytes.empty()) return fail(ErrorCode::bad_file, path + ": is empty");
-  is_utf16 = isUtf16(bytes);
+  // The free text with which a binary one begins may be in UTF-16 as well.
+  const bool is_stl = format.decode == withoutOptions<decodeStl>;
+  is_utf16 = isUtf16(bytes) && !(is_stl && hasStlSize(bytes));
   if (!is_utf16) return bytes;
-  MIRRORBALL_TRY_VOID(withName(path, checkMemory(mostUtf8(bytes.size()))));
-  const std::string text = utf8FromUtf16(bytes);
-  return Bytes(text.begin(), text.end());
+  MIRRORBALL_TRY_VOID(ofModel(path, checkMemory(std::uint64_t{bytes.size()} + utf8Size(bytes))));
+  Bytes text = utf8FromUtf16(bytes);
+  is_utf16 = !is_stl || stlText(text).has_value();
+  return is_utf16 ? std::move(text) : std::move(bytes);
 }
 
 }  // namespace
@@ -240,14 +252,10 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
       return tl::unexpected<Error>(withName(name_or_path, std::move(*foreign)));
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     bool is_utf16 = false;
-    MIRRORBALL_TRY(bytes, readModelFile(name_or_path, is_utf16));
-    auto read = withName(name_or_path, format->decode(bytes, name_or_path, options));
-    // A model is not smaller in a smaller picture.
-    if (!read && read.error().fix_hint == FixHint::raise_memory_or_shrink)
-      read.error().fix_hint = FixHint::raise_memory;
-    MIRRORBALL_TRY(decoded, std::move(read));
+    MIRRORBALL_TRY(bytes, readModelFile(name_or_path, *format, is_utf16));
+    MIRRORBALL_TRY(decoded, ofModel(name_or_path, format->decode(bytes, name_or_path, options)));
     findNormalZeros(decoded, name_or_path);
-    MIRRORBALL_TRY_VOID(withName(name_or_path, drawAboutMiddle(decoded)));
+    MIRRORBALL_TRY_VOID(ofModel(name_or_path, drawAboutMiddle(decoded)));
     MIRRORBALL_TRY(scene, withName(name_or_path, atMoment(std::move(decoded), options.animation)));
     if (is_utf16) scene.warnings.push_back(name_or_path + ": " + std::string(kIsUtf16));
     if (const ModelFormat* named = formatOfName(name_or_path); named != nullptr && named->decode != format->decode)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/tangents.h"
@@ -86,6 +87,49 @@ TEST(LoadModel, TextsMayBeInUtf16) {
         EXPECT_THAT(scene->warnings,
                     ::testing::ElementsAre(path + ": is in UTF-16, and is read as the UTF-8 that it stands for"));
       }
+}
+
+// The free text with which one begins may be in it.
+TEST(LoadModel, ABinaryStlIsNoTextInUtf16) {
+  const std::string path = ::testing::TempDir() + "load_model_utf16_binary.stl";
+  for (const bool has_mark : {false, true})
+    for (const int named : {1, 2}) {
+      Bytes bytes;
+      if (has_mark) bytes = {0xFF, 0xFE};
+      for (const char letter : std::string_view("Exported by XYZ"))
+        bytes.insert(bytes.end(), {static_cast<std::uint8_t>(letter), 0});
+      bytes.resize(80);
+      bytes.insert(bytes.end(), {static_cast<std::uint8_t>(named), 0, 0, 0});
+      const float facet[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+      const auto* const numbers = reinterpret_cast<const std::uint8_t*>(facet);
+      bytes.insert(bytes.end(), numbers, numbers + sizeof facet);
+      bytes.insert(bytes.end(), {0, 0});
+      ASSERT_TRUE(writeFile(path, bytes));
+      const Result<Scene> scene = loadModel(path);
+      ASSERT_TRUE(scene) << scene.error().message;
+      EXPECT_EQ(scene->meshes.at(0)->indices.size(), 3u);
+      EXPECT_EQ(scene->warnings.size(), named == 2 ? 1u : 0u) << "that it is truncated";
+    }
+}
+
+// Beside the file's bytes are those in UTF-8, half as many again where its letters are Chinese ones.
+TEST(LoadModel, AsksForTheMemoryOfBothFormsOfAText) {
+  const std::string path = ::testing::TempDir() + "load_model_utf16_large.obj";
+  Bytes bytes;
+  for (const char letter : std::string_view("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# "))
+    bytes.insert(bytes.end(), {static_cast<std::uint8_t>(letter), 0});
+  bytes.resize(std::size_t{4} << 20, 0x4E);
+  ASSERT_TRUE(writeFile(path, bytes));
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{8} << 20);
+  const Result<Scene> refused = loadModel(path);
+  setMemoryLimit(std::uint64_t{11} << 20);
+  const Result<Scene> read = loadModel(path);
+  setMemoryLimit(usual);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_EQ(refused.error().fix_hint, FixHint::raise_memory);
+  EXPECT_TRUE(read) << read.error().message;
 }
 
 using ::testing::HasSubstr;

@@ -75,10 +75,11 @@ class MaterialTables {
     if (!tables_.insert(table.bytes.data()).second) return {};  // it was read by another name
     std::vector<std::string> remarks;
     std::string_view text(reinterpret_cast<const char*>(table.bytes.data()), table.bytes.size());
-    std::string converted;
+    Bytes converted;
     if (isUtf16(table.bytes)) {
-      MIRRORBALL_TRY_VOID(named_.files().budget().take(mostUtf8(table.bytes.size())));
-      text = converted = utf8FromUtf16(table.bytes);
+      MIRRORBALL_TRY_VOID(named_.files().budget().take(utf8Size(table.bytes)));
+      converted = utf8FromUtf16(table.bytes);
+      text = {reinterpret_cast<const char*>(converted.data()), converted.size()};
       remarks.emplace_back(kIsUtf16);
     }
     // In a growing list; their names are no longer than the table.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mirrorball/base/text.h"
@@ -79,19 +80,23 @@ std::size_t escapeSize(std::string_view text) {
   return second && isSecondOfPair(*second) ? 12 : 0;
 }
 
-/// Copies a text, piece by piece.
+/// Copies a text, piece by piece, or counts what that takes.
 class JsonMending {
  public:
-  explicit JsonMending(std::string_view json) : json_(json) {}
-
-  std::optional<MendedJson> mended() {
+  /// text   gets the copy; nullptr: it is counted alone
+  JsonMending(std::string_view json, std::string* text) : json_(json), text_(text) {
     while (at_ < json_.size()) step();
-    if (std::none_of(found_.begin(), found_.end(), [](bool found) { return found; })) return {};
-    text_.append(json_.substr(copied_));
+    add(json_.substr(copied_));
+  }
+
+  std::uint64_t size() const { return size_; }
+
+  /// What was done to it; nothing: it needs no mending.
+  std::vector<std::string_view> how() const {
     std::vector<std::string_view> how;
     for (std::size_t i = 0; i < found_.size(); ++i)
       if (found_[i]) how.push_back(kConsequences[i]);
-    return MendedJson{std::move(text_), join(how, "; ")};
+    return how;
   }
 
  private:
@@ -186,13 +191,20 @@ class JsonMending {
 
   /// Puts a word in place of what is from `begin` to `end`.
   void put(Oddity oddity, std::size_t begin, std::string_view word, std::size_t end) {
-    text_.append(json_.substr(copied_, begin - copied_)).append(word);
+    add(json_.substr(copied_, begin - copied_));
+    add(word);
     copied_ = end;
     found_[oddity] = true;
   }
 
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    if (text_ != nullptr) text_->append(piece);
+  }
+
   std::string_view json_;
-  std::string text_;
+  std::string* text_;
+  std::uint64_t size_ = 0;  // of the copy
   std::size_t at_ = 0;
   std::size_t copied_ = 0;  // up to where
   std::size_t depth_ = 0;   // brackets that are open
@@ -202,6 +214,14 @@ class JsonMending {
 
 }  // namespace
 
-std::optional<MendedJson> mendJson(std::string_view json) { return JsonMending(json).mended(); }
+std::optional<MendedJson> mendJson(std::string_view json) {
+  const JsonMending count(json, nullptr);
+  const std::vector<std::string_view> how = count.how();
+  if (how.empty()) return {};
+  MendedJson mended{{}, join(how, "; ")};
+  mended.text.reserve(static_cast<std::size_t>(count.size()));
+  JsonMending(json, &mended.text);
+  return mended;
+}
 
 }  // namespace mirrorball::gltf

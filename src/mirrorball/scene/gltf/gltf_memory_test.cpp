@@ -13,6 +13,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/gltf/gltf_json_text.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball {
@@ -70,6 +71,16 @@ class GltfMemory : public ::testing::Test {
   const std::uint64_t usual_ = memoryLimit();
   const fs::path folder_ = fs::path(::testing::TempDir()) / ("gltf_memory_" + std::to_string(::getpid()));
 };
+
+// What grows would take up to thrice as much on its way.
+TEST_F(GltfMemory, AMendedTextIsMadeAsLargeAsItGets) {
+  std::string json = "[1,";
+  for (int i = 0; i < 10'000; ++i) json += "+1,\"a\tb\",";
+  const auto mended = gltf::mendJson(json + "NaN]");
+  ASSERT_TRUE(mended);
+  EXPECT_GT(mended->text.size(), json.size());
+  EXPECT_EQ(mended->text.capacity(), mended->text.size());
+}
 
 TEST_F(GltfMemory, APictureOfManyNamesIsOneTexture) {
   write("a.png", 512);

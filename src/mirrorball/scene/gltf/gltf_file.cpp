@@ -13,10 +13,9 @@ namespace mirrorball::gltf {
 namespace {
 
 /// What a buffer's uri names.
-Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& uri, const std::string& key) {
-  if (!isData(uri)) {
-    return readNamedFile(file, uri, key);
-  }
+Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& uri, const std::string& key,
+                                                 std::size_t size) {
+  if (!isData(uri)) return readNamedFile(file, uri, key, size);
   MIRRORBALL_TRY_VOID(withName(key, file.files.budget().take(uri.size() / 4 * 3)));
   MIRRORBALL_TRY(bytes, decodeData(uri, key));
   return std::span<const std::uint8_t>(file.storage.emplace_back(std::move(bytes)));
@@ -24,9 +23,12 @@ Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& 
 
 /// The bytes of a buffer: of its uri, or the binary chunk, which only the first may be. Another without a uri has its
 /// content in an extension that is not read.
-Result<std::span<const std::uint8_t>> readSource(File& file, std::size_t index, std::span<const std::uint8_t> binary) {
+///
+/// size   how long it is to be [bytes]
+Result<std::span<const std::uint8_t>> readSource(File& file, std::size_t index, std::span<const std::uint8_t> binary,
+                                                 std::size_t size) {
   const Buffer& buffer = file.document.buffers[index];
-  if (buffer.uri) return readBuffer(file, *buffer.uri, quoted("buffers", index) + ".uri");
+  if (buffer.uri) return readBuffer(file, *buffer.uri, quoted("buffers", index) + ".uri", size);
   return index > 0 ? std::span<const std::uint8_t>() : binary;
 }
 
@@ -53,7 +55,8 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     const Buffer& buffer = file.document.buffers[i];
     file.buffers.emplace_back();
     if (buffer.is_fallback) continue;
-    Result<std::span<const std::uint8_t>> bytes = readSource(file, i, binary);
+    const std::size_t size = std::max(buffer.byte_length, ends[i]);
+    Result<std::span<const std::uint8_t>> bytes = readSource(file, i, binary, size);
     if (!bytes) {
       if (!isDamage(bytes.error())) return fail(std::move(bytes));
       file.remarks.suspect(bytes.error());
@@ -68,7 +71,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     const bool says_too_few = ends[i] > buffer.byte_length && bytes->size() > buffer.byte_length;
     if (says_too_few)
       file.remarks.tellOnce(quoted("buffers", i), "has more bytes than its byteLength, and they are used");
-    file.buffers.back() = bytes->first(std::min(bytes->size(), std::max(buffer.byte_length, ends[i])));
+    file.buffers.back() = bytes->first(std::min(bytes->size(), size));
   }
   return {};
 }
@@ -103,9 +106,10 @@ void loseView(File& file, BufferView& view, Error damage) {
   view = {.buffer = buffer};
 }
 
-Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key) {
+Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key,
+                                                    std::optional<std::size_t> size) {
   const std::vector<std::string> readings{percentDecoded(uri), uri};
-  auto found = file.named.read(readings);
+  auto found = file.named.read(readings, size);
   if (!found) return tl::unexpected<Error>({found.error().code, key + " " + found.error().message});
   return found->bytes;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,9 +59,11 @@ void loseView(File& file, BufferView& view, Error damage);
 /// The bytes of the file that a uri names, unless it is data: percent-encoded, as it should be, or as it is written.
 ///
 /// key      what holds the uri, for messages
+/// size     as NamedFiles::read's
 /// returns  the same place for names of one file
 /// errors   as NamedFiles::read's
-Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key);
+Result<std::span<const std::uint8_t>> readNamedFile(const File& file, const std::string& uri, const std::string& key,
+                                                    std::optional<std::size_t> size = {});
 
 /// An attribute's numbers: `components` to an element.
 struct Numbers {

@@ -231,21 +231,43 @@ TEST(GltfOddJson, WhatLiesBehindItsEndIsLeftOut) {
     expectTold(decodedOdd(triangleFile().gltf(kPlain) + behind), "what lies behind its end is left out");
 }
 
-TEST(GltfOddContainer, WhatStandsInABuffersPlaceIsNamed) {
+/// A file with its buffer beside it.
+Result<Scene> decodedBeside(std::string json, std::string_view buffer) {
   const std::string name = "gltf_oddity_place.bin";
-  const auto refusal = [&](std::string_view text) {
-    EXPECT_TRUE(writeFile(::testing::TempDir() + name, Bytes(text.begin(), text.end())));
-    std::string json = triangleFile().gltf(kPlain);
-    const std::size_t begin = json.find("data:"), end = json.find('"', begin);
-    const Result<Scene> scene = decodedOdd(json.replace(begin, end - begin, name));
+  EXPECT_TRUE(writeFile(::testing::TempDir() + name, Bytes(buffer.begin(), buffer.end())));
+  const std::size_t begin = json.find("data:"), end = json.find('"', begin);
+  return decodedOdd(json.replace(begin, end - begin, name));
+}
+
+TEST(GltfOddContainer, WhatStandsInABuffersPlaceIsNamed) {
+  const auto refusal = [](std::string_view text) {
+    const Result<Scene> scene = decodedBeside(triangleFile().gltf(kPlain), text);
     return scene ? "" : scene.error().message;
   };
   EXPECT_EQ(refusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
-            "buffers[0].uri '" + name +
-                "' is a Git LFS pointer, which is not read; run `git lfs pull`, which fetches the file that it stands "
-                "for");
+            "buffers[0].uri 'gltf_oddity_place.bin' is a Git LFS pointer, which is not read; run `git lfs pull`, which "
+            "fetches the file that it stands "
+            "for");
   EXPECT_THAT(refusal("<!DOCTYPE html><html><body>Not found</body></html>"), HasSubstr("' is a web page"));
   EXPECT_THAT(refusal("\x1f\x8b\x08" + std::string(60, 'x')), HasSubstr("' is compressed by gzip"));
+}
+
+// The colour with which it begins is the mark of gzip. A pointer of Git LFS to 128 bytes has 128 itself.
+TEST(GltfOddContainer, ABufferOfItsSizeIsNoArchive) {
+  GltfMaker maker;
+  maker.accessor(std::vector<std::uint8_t>{31, 139, 8, 255, 0, 0, 0, 255, 0, 0, 0, 255}, "VEC4",
+                 R"(,"normalized":true)");
+  maker.accessor(kPlaces, "VEC3");
+  maker.view(std::vector<std::uint8_t>(80, 0));
+  const std::string primitive = R"({"attributes":{"COLOR_0":0,"POSITION":1}})", json = maker.gltf(primitive);
+  const Bytes binary = maker.glb(primitive);
+  const std::string buffer(binary.end() - 128, binary.end());
+  for (const std::size_t filled : {0, 3}) expectSilent(decodedBeside(json, buffer + std::string(filled, '\0')));
+  EXPECT_THAT(decodedBeside(json, buffer.substr(0, 100)).error().message, HasSubstr("compressed by gzip"));
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 128\n";
+  ASSERT_EQ(pointer.size(), buffer.size());
+  EXPECT_THAT(decodedBeside(json, pointer).error().message, HasSubstr("is a Git LFS pointer"));
 }
 
 TEST(GltfOddJson, RequiredExtensionsAreLeftOutIfThereIsSomethingToShow) {

@@ -34,6 +34,23 @@ std::map<std::string, std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
+/// Whether a file begins with letters alone, which numbers do not look like.
+bool beginsWithLetters(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kLetters = 8;
+  return bytes.size() >= kLetters && std::all_of(bytes.begin(), bytes.begin() + kLetters, [](std::uint8_t byte) {
+           return (byte >= 0x20 && byte < 0x7F) || byte == '\t' || byte == '\r' || byte == '\n';
+         });
+}
+
+/// The error for what stands in a file's place, as NamedFiles::read's `size` says. A pointer of Git LFS may well be as
+/// long as a small file; the first three numbers of a sound one may be those with which a compressed one begins.
+std::optional<Error> errorOfStandIn(std::span<const std::uint8_t> bytes, std::optional<std::size_t> size) {
+  constexpr std::size_t kFilled = 4;  // up to a multiple of which a file is filled, where it is
+  const bool has_size = size && bytes.size() >= *size && bytes.size() - *size < kFilled;
+  if (has_size && !beginsWithLetters(bytes)) return {};
+  return foreignFileError(FileUse::any, bytes);
+}
+
 }  // namespace
 
 std::string NamedFiles::spelledOnDisk(const std::string& name) {
@@ -61,7 +78,7 @@ Result<fs::path> NamedFiles::findReading(const std::string& name, std::string& p
   return first;
 }
 
-Result<NamedFiles::Found> NamedFiles::read(std::span<const std::string> readings) {
+Result<NamedFiles::Found> NamedFiles::read(std::span<const std::string> readings, std::optional<std::size_t> size) {
   Result<fs::path> first = fail(ErrorCode::bad_file, "names no file");
   for (std::size_t i = 0; i < readings.size(); ++i) {
     std::string path;
@@ -71,7 +88,7 @@ Result<NamedFiles::Found> NamedFiles::read(std::span<const std::string> readings
     if (path != withSlashes(readings[i]) && told_.insert(path).second)
       remarks_.push_back("'" + excerpt(readings[i]) + "' is read from '" + excerpt(path) + "' in the model's folder");
     MIRRORBALL_TRY(bytes, files_.read(*found));
-    if (auto foreign = foreignFileError(FileUse::any, bytes))
+    if (auto foreign = errorOfStandIn(bytes, size))
       return tl::unexpected<Error>({foreign->code, "'" + excerpt(readings[i]) + "' " + foreign->message});
     return Found{bytes, path};
   }

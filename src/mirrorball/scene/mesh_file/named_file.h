@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -30,9 +32,11 @@ class NamedFiles {
   /// What is found otherwise than it is spelled is remarked on, once a file.
   ///
   /// readings   at least one; the first is what an error calls it
+  /// size       how long it is to be, where that is known [bytes]: one of that size is no archive, whatever numbers it
+  ///            begins with
   /// errors     as ModelFiles::find's of the first reading, and its read's: "'a.mtl' is missing; put it beside the
   ///            model"; unsupported: what stands in its place, as a Git LFS pointer, with what helps
-  Result<Found> read(std::span<const std::string> readings);
+  Result<Found> read(std::span<const std::string> readings, std::optional<std::size_t> size = {});
 
   ModelFiles& files() { return files_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/pose.h"
@@ -66,22 +68,60 @@ std::vector<const RigPart*> bendingParts(const Scene& scene) {
   return parts;
 }
 
-/// How much longer the joints of a skin at most make what hangs on them.
-double scaleOfSkin(const Skin& skin, std::span<const glm::dmat4> world_from_node) {
-  double scale = 0.0;
-  for (std::size_t i = 0; i < skin.joints.size(); ++i)
-    scale = std::max(scale,
-                     longestAxis(world_from_node[std::size_t(skin.joints[i])] * glm::dmat4(skin.joint_from_mesh[i])));
-  return scale;
+/// What joints do to a mesh that hangs on them.
+struct JointEffect {
+  double scale = 0.0;  ///< how much longer they at most make it
+  double step = 0.0;   ///< what their matrices are rounded to, in the world; 0: they are not far from it
+};
+
+/// Of each of a rig's skins, of each joint.
+///
+/// radius   of the box around the scene
+std::vector<std::vector<JointEffect>> effectsOfJoints(const Rig& rig, double radius) {
+  const std::vector<glm::dmat4> world_from_node = worldFromNodes(rig.world_from_roots, rig.nodes);
+  std::vector<std::vector<JointEffect>> effects(rig.skins.size());
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Skin& skin = rig.skins[i];
+    for (std::size_t joint = 0; joint < skin.joints.size(); ++joint) {
+      const glm::dmat4& world_from_joint = world_from_node[std::size_t(skin.joints[joint])];
+      const glm::dmat4 joint_from_mesh(skin.joint_from_mesh[joint]);
+      const double scale = longestAxis(world_from_joint);
+      const glm::dvec3 moved(joint_from_mesh[3]);
+      const bool is_far = scale * glm::length(moved) > kRadiiAway * radius;
+      effects[i].push_back(
+          {longestAxis(world_from_joint * joint_from_mesh), is_far ? scale * stepOfFloats(moved) : 0.0});
+    }
+  }
+  return effects;
+}
+
+/// The greatest effect on each of a scene's meshes of the joints that it hangs on. A skin has others too, such as the
+/// handles by which an animator moves those.
+///
+/// bending  of each mesh, the part that bends it
+std::vector<JointEffect> effectsOnMeshes(const Scene& scene, const std::vector<const RigPart*>& bending,
+                                         double radius) {
+  const std::vector<std::vector<JointEffect>> of_joints = effectsOfJoints(scene.rig, radius);
+  std::vector<JointEffect> effects(bending.size());
+  for (std::size_t i = 0; i < bending.size(); ++i) {
+    if (bending[i] == nullptr || bending[i]->skin < 0) continue;
+    for (const MeshDeformation::Influence& influence : bending[i]->deformation->influences) {
+      if (!(influence.weight > 0.0f)) continue;
+      const JointEffect& one = of_joints[std::size_t(bending[i]->skin)][influence.joint];
+      effects[i] = {std::max(effects[i].scale, one.scale), std::max(effects[i].step, one.step)};
+    }
+  }
+  return effects;
 }
 
 /// How much longer at most the instances of a mesh that lies far from its nodes make it: of each of the rig's parts'
 /// meshes; 0 for those that need not be moved.
 ///
+/// bending  of each mesh, the part that bends it
+/// effects  on each mesh, of its joints
 /// radius   of the box around the scene
-std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
-  const std::vector<glm::dmat4> world_from_node = worldFromNodes(scene.rig.world_from_roots, scene.rig.nodes);
-  const std::vector<const RigPart*> bending = bendingParts(scene);
+std::vector<double> scalesOfFarMeshes(const Scene& scene, const std::vector<const RigPart*>& bending,
+                                      const std::vector<JointEffect>& effects, double radius) {
   const std::vector<std::size_t> upright = uprightMeshes(scene);
   std::vector<double> scales(scene.meshes.size(), 0.0);
   for (const Instance& instance : scene.instances) {
@@ -90,8 +130,7 @@ std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
     const std::vector<Vertex>& vertices = scene.meshes[mesh]->vertices;
     if (vertices.empty()) continue;
     const bool hangs = bent != nullptr && bent->skin >= 0;
-    const double scale = hangs ? scaleOfSkin(scene.rig.skins[std::size_t(bent->skin)], world_from_node)
-                               : longestAxis(glm::dmat4(instance.world_from_object));
+    const double scale = hangs ? effects[mesh].scale : longestAxis(glm::dmat4(instance.world_from_object));
     const glm::vec3 first = bent != nullptr ? bent->deformation->vertices.front().position : vertices.front().position;
     // Its other vertices are within two radii of the first. A small part of a model is at many of its own radii, and
     // yet its numbers are fine enough for the model.
@@ -100,33 +139,38 @@ std::vector<double> scalesOfFarMeshes(const Scene& scene, double radius) {
   return scales;
 }
 
-/// What the matrices of joints that are far from their meshes are rounded to, in the world; 0 where none is far.
+/// Moves what some parts are before they are bent, all of them the same, to about another origin.
 ///
-/// radius   of the box around the scene
-double stepOfJoints(const Scene& scene, double radius) {
-  const std::vector<glm::dmat4> world_from_node = worldFromNodes(scene.rig.world_from_roots, scene.rig.nodes);
-  double step = 0.0;
-  for (const RigPart& part : scene.rig.parts) {
-    if (!part.deformation || part.skin < 0) continue;
-    const Skin& skin = scene.rig.skins[std::size_t(part.skin)];
-    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-      const double scale = longestAxis(world_from_node[std::size_t(skin.joints[i])]);
-      const glm::dvec3 moved(skin.joint_from_mesh[i][3]);
-      if (scale * glm::length(moved) > kRadiiAway * radius) step = std::max(step, scale * stepOfFloats(moved));
-    }
-  }
-  return step;
+/// errors   too_large: others have it too, and a copy is more than fits
+Result<void> moveDeformation(std::span<RigPart* const> parts, glm::dvec3 origin) {
+  const std::shared_ptr<const MeshDeformation> before = parts.front()->deformation;
+  const bool is_shared = before.use_count() > static_cast<long>(parts.size()) + 1;
+  if (is_shared) MIRRORBALL_TRY_VOID(checkMemory(before->size()));
+  // Only pointers to them are const, never deformations themselves.
+  const std::shared_ptr<MeshDeformation> moved =
+      is_shared ? std::make_shared<MeshDeformation>(*before) : std::const_pointer_cast<MeshDeformation>(before);
+  for (MeshDeformation::Basis& vertex : moved->vertices)
+    vertex.position = glm::vec3(glm::dvec3(vertex.position) - origin);
+  for (RigPart* const part : parts) part->deformation = moved;
+  return {};
 }
 
-/// Says that a part's mesh has its own origin elsewhere, and moves there what it is before it is bent.
-void setMeshOrigin(RigPart& part, glm::dvec3 origin) {
-  if (origin == glm::dvec3(0.0)) return;
-  part.mesh_origin += origin;
-  if (!part.deformation) return;
-  auto deformation = std::make_shared<MeshDeformation>(*part.deformation);
-  for (MeshDeformation::Basis& vertex : deformation->vertices)
-    vertex.position = glm::vec3(glm::dvec3(vertex.position) - origin);
-  part.deformation = std::move(deformation);
+/// Says that parts' meshes have their own origins elsewhere, and moves there what they are before they are bent.
+///
+/// origins  of each of the scene's meshes
+/// errors   too_large
+Result<void> setMeshOrigins(std::vector<RigPart>& parts, const std::vector<glm::dvec3>& origins) {
+  // Those that share a deformation share the box around it, and with it their origin.
+  std::map<const MeshDeformation*, std::vector<RigPart*>> bent;
+  for (RigPart& part : parts) {
+    const glm::dvec3 origin = origins[std::size_t(part.mesh)];
+    if (origin == glm::dvec3(0.0)) continue;
+    part.mesh_origin += origin;
+    if (part.deformation) bent[part.deformation.get()].push_back(&part);
+  }
+  for (const auto& [deformation, sharing] : bent)
+    MIRRORBALL_TRY_VOID(moveDeformation(sharing, origins[std::size_t(sharing.front()->mesh)]));
+  return {};
 }
 
 /// Moves the vertices of meshes that lie far from their nodes, as models do whose vertices have the coordinates of a
@@ -134,12 +178,15 @@ void setMeshOrigin(RigPart& part, glm::dvec3 origin) {
 ///
 /// radius    of the box around the scene
 /// returns   whether there are any
-bool moveMeshes(Scene& scene, double radius) {
-  const std::vector<double> scales = scalesOfFarMeshes(scene, radius);
+/// errors    too_large
+Result<bool> moveMeshes(Scene& scene, double radius) {
   const std::vector<const RigPart*> bending = bendingParts(scene);
+  const std::vector<JointEffect> effects = effectsOnMeshes(scene, bending, radius);
+  const std::vector<double> scales = scalesOfFarMeshes(scene, bending, effects, radius);
   std::vector<glm::dvec3> origins(scene.meshes.size(), glm::dvec3(0.0));
   bool moves_any = false;
   for (std::size_t i = 0; i < origins.size(); ++i) {
+    scene.vertex_step = std::max(scene.vertex_step, effects[i].step);
     if (scales[i] == 0.0) continue;
     const DoubleBox box = boxInFile(scene, i, bending[i]);
     origins[i] = originFor(box);
@@ -150,8 +197,7 @@ bool moveMeshes(Scene& scene, double radius) {
     for (Vertex& vertex : scene.meshes[i].edit().vertices)
       vertex.position = glm::vec3(glm::dvec3(vertex.position) - origins[i]);
   }
-  scene.vertex_step = std::max(scene.vertex_step, stepOfJoints(scene, radius));
-  for (RigPart& part : scene.rig.parts) setMeshOrigin(part, origins[std::size_t(part.mesh)]);
+  MIRRORBALL_TRY_VOID(setMeshOrigins(scene.rig.parts, origins));
   return moves_any;
 }
 
@@ -205,8 +251,9 @@ Result<void> drawAboutMiddle(Scene& scene) {
     MIRRORBALL_TRY_VOID(moveOrigin(scene, scene.origin + middle));
     box = boxOfPositions(scene);
   }
-  if (scene.rig.nodes.empty() || !moveMeshes(scene, boxRadius(box))) return {};
-  return poseAtRest(scene);
+  if (scene.rig.nodes.empty()) return {};
+  MIRRORBALL_TRY(moves_any, moveMeshes(scene, boxRadius(box)));
+  return moves_any ? poseAtRest(scene) : Result<void>();
 }
 
 std::optional<std::string> remarkOnOrigin(const Scene& scene) {

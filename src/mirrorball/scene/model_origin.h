@@ -38,7 +38,7 @@ Result<void> moveOrigin(Scene& scene, glm::dvec3 origin);
 /// Gives a scene that its rig has placed the origin that it should have, and meshes that lie far from their nodes, too.
 /// Nodes are multiplied in double precision before. Of what is bent, the vertices are moved before they are.
 ///
-/// errors   as moveOrigin's
+/// errors   as moveOrigin's; too_large
 /// cost     a pass over all vertices; some more for a model far away
 Result<void> drawAboutMiddle(Scene& scene);
 

@@ -11,8 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"
@@ -295,6 +298,70 @@ TEST(ModelOrigin, WhatFarJointsAreRoundedToIsTold) {
   const Scene near = bentAt(glm::dvec3(0.0), true, "", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1});
   EXPECT_EQ(near.vertex_step, 0.0);
   EXPECT_THAT(near.warnings, IsEmpty());
+}
+
+// As a pole of inverse kinematics is, in whose direction a knee bends.
+TEST(ModelOrigin, AFarJointThatNothingHangsOnIsNoMatter) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint8_t>(12, 0), "VEC4");
+  maker.accessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+  maker.accessor(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,        0, 0, 1,
+                                    1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1000.5f, 0, 0, 1},
+                 "MAT4");
+  const Scene scene = loaded("pole.glb", maker.glb(R"({"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}})",
+                                                   R"("nodes":[{"mesh":0,"skin":0},{},{"translation":[1000.5,0,0]}],)"
+                                                   R"("skins":[{"joints":[1,2],"inverseBindMatrices":3}])"));
+  EXPECT_EQ(scene.vertex_step, 0.0);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
+/// A mesh far from its two nodes, which morphs.
+Result<Scene> shownTwice() {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{4400000, 0, 0, 4400001, 0, 0, 4400000, 1, 0}, "VEC3");
+  maker.accessor(std::vector<float>{0, 0, 1, 0, 0, 0, 0, 0, 0}, "VEC3");
+  const std::string json = maker.gltf(R"({"attributes":{"POSITION":0},"targets":[{"POSITION":1}]})",
+                                      R"("nodes":[{"mesh":0,"weights":[0.5],"translation":[-4400000,0,0]},)"
+                                      R"({"mesh":0,"weights":[0.25],"translation":[-4399998,0,0]}])");
+  return decodeGltf(Bytes(json.begin(), json.end()), "twice.gltf");
+}
+
+TEST(ModelOrigin, WhatPartsShareIsMovedOnceAndInItsPlace) {
+  auto scene = shownTwice();
+  ASSERT_TRUE(scene) << scene.error().message;
+  ASSERT_EQ(scene->rig.parts.size(), 2u);
+  const auto* const before = scene->rig.parts[0].deformation.get();
+  ASSERT_EQ(scene->rig.parts[1].deformation.get(), before);
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(1);
+  EXPECT_TRUE(drawAboutMiddle(*scene)) << "nothing is copied";
+  setMemoryLimit(usual);
+  for (const RigPart& part : scene->rig.parts) {
+    EXPECT_EQ(part.deformation.get(), before);
+    EXPECT_NE(part.mesh_origin, glm::dvec3(0.0));
+  }
+  const std::vector<glm::dvec3> places = placesIn(*scene);
+  ASSERT_EQ(places.size(), 6u);
+  EXPECT_LT(glm::distance(places[0], glm::dvec3(0, 0, 0.5)), 1e-6);
+  EXPECT_LT(glm::distance(places[3], glm::dvec3(2, 0, 0.25)), 1e-6);
+}
+
+TEST(ModelOrigin, WhatOtherScenesShareIsCopiedWhereItFits) {
+  auto scene = shownTwice();
+  ASSERT_TRUE(scene) << scene.error().message;
+  const Scene other = *scene;
+  Scene refused = *scene;
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(1);
+  const Result<void> moved = drawAboutMiddle(refused);
+  setMemoryLimit(usual);
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().code, ErrorCode::too_large);
+  ASSERT_TRUE(drawAboutMiddle(*scene));
+  EXPECT_EQ(scene->rig.parts[0].deformation, scene->rig.parts[1].deformation) << "one copy of both";
+  EXPECT_EQ(other.rig.parts[0].deformation->vertices[0].position.x, 4400000.0f);
+  EXPECT_LT(scene->rig.parts[0].deformation->vertices[0].position.x, 2.0f);
 }
 
 TEST(ModelOrigin, CamerasAndLightsKeepTheirPlacesAtTheModel) {

@@ -91,6 +91,15 @@ std::size_t MeshDeformation::work() const {
   return work;
 }
 
+std::uint64_t MeshDeformation::size() const {
+  std::uint64_t size = sizeof(MeshDeformation) + std::uint64_t{sizeof(Basis)} * vertices.size() +
+                       std::uint64_t{sizeof(Influence)} * influences.size() +
+                       std::uint64_t{sizeof(std::size_t)} * first_influence.size();
+  for (const std::vector<Displacement>& target : targets)
+    size += sizeof(target) + std::uint64_t{sizeof(Displacement)} * target.size();
+  return size;
+}
+
 bool deform(const MeshDeformation& how, std::span<const float> weights, std::span<const glm::mat4> joints, Mesh& mesh) {
   std::vector<Basis> vertices = how.vertices;
   morph(how, weights, vertices);

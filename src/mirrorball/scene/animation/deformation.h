@@ -43,6 +43,8 @@ struct MeshDeformation {
   bool hasSkin() const { return !first_influence.empty(); }
   /// How many vertices, displacements and influences take part, as a measure of the time it takes.
   std::size_t work() const;
+  /// How much memory it takes [bytes].
+  std::uint64_t size() const;
 };
 
 /// Bends a mesh: morphs it, then hangs it on the joints.

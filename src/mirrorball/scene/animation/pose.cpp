@@ -84,7 +84,8 @@ class Poser {
       for (std::size_t joint = 0; joint < skin.joints.size(); ++joint) {
         const glm::dmat4 moved = worldOf(skin.joints[joint]) * glm::dmat4(skin.joint_from_mesh[joint]);
         if (!isWithinFloats(moved)) return tooLarge();
-        skins_[i].emplace_back(moved);
+        skins_[i].world_from_mesh.push_back(moved);
+        skins_[i].rounded.emplace_back(moved);
       }
     }
     for (std::size_t i = 0; i < std::min(rig_.camera_nodes.size(), scene_.cameras.size()); ++i)
@@ -122,6 +123,12 @@ class Poser {
   }
 
  private:
+  /// A skin's joints.
+  struct Joints {
+    std::vector<glm::dmat4> world_from_mesh;
+    std::vector<glm::mat4> rounded;  // the same
+  };
+
   static tl::unexpected<Error> tooLarge() {
     return fail(ErrorCode::bad_file, "one of its nodes has a transform that is too large");
   }
@@ -132,13 +139,28 @@ class Poser {
     return glm::mat4(glm::translate(worldOf(part.node), part.mesh_origin));
   }
 
+  /// How the joints move what hangs on them of a bent part's mesh; empty: it has no skin.
+  std::span<const glm::mat4> placedJoints(const RigPart& part) {
+    if (part.skin < 0) return {};
+    const Joints& skin = skins_[std::size_t(part.skin)];
+    if (part.mesh_origin == glm::dvec3(0.0)) return skin.rounded;
+    const std::size_t count = skin.world_from_mesh.size();
+    own_joints_.resize(std::max(own_joints_.size(), count));
+    const auto place = [&](std::size_t joint) {
+      own_joints_[joint] = glm::mat4(glm::translate(skin.world_from_mesh[joint], part.mesh_origin));
+    };
+    // Many small parts may have one large skin: the time is not their number by that of its joints.
+    if (part.deformation->influences.size() < count)
+      for (const MeshDeformation::Influence& influence : part.deformation->influences) place(influence.joint);
+    else
+      for (std::size_t joint = 0; joint < count; ++joint) place(joint);
+    return own_joints_;
+  }
+
   void bend(RigPart& part, bool node_mirrors) {
     Mesh& mesh = scene_.meshes[std::size_t(part.mesh)].edit();
-    std::vector<glm::mat4> joints;
-    if (part.skin >= 0)
-      for (const glm::dmat4& world_from_mesh : skins_[std::size_t(part.skin)])
-        joints.emplace_back(glm::translate(world_from_mesh, part.mesh_origin));
-    const bool joints_mirror = deform(*part.deformation, nodes_[std::size_t(part.node)].weights, joints, mesh);
+    const std::span<const float> weights = nodes_[std::size_t(part.node)].weights;
+    const bool joints_mirror = deform(*part.deformation, weights, placedJoints(part), mesh);
     const bool mirrors = part.skin >= 0 ? joints_mirror : node_mirrors;
     if (mirrors) turnBitangents(mesh);
     if (mirrors != part.is_mirrored) turnTriangles(mesh);
@@ -169,10 +191,11 @@ class Poser {
 
   Scene& scene_;
   Rig& rig_;
-  std::vector<RigNode> moved_;                  // by an animation; none: the nodes are at rest
-  std::span<const RigNode> nodes_;              // as they are at the time
-  std::vector<glm::dmat4> worlds_;              // of each node
-  std::vector<std::vector<glm::dmat4>> skins_;  // world_from_mesh of each joint
+  std::vector<RigNode> moved_;         // by an animation; none: the nodes are at rest
+  std::span<const RigNode> nodes_;     // as they are at the time
+  std::vector<glm::dmat4> worlds_;     // of each node
+  std::vector<Joints> skins_;          // of each
+  std::vector<glm::mat4> own_joints_;  // of a part with a mesh_origin; of joints that it does not hang on, anything
 };
 
 }  // namespace

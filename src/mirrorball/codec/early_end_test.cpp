@@ -81,12 +81,15 @@ TEST_P(EarlyEnd, IsReadByRowsAlike) {
   if (!*rows) return;
   const auto whole = decodeImage(bytes);
   ASSERT_TRUE(whole) << whole.error().message;
+  ASSERT_TRUE((*rows)->survey());
   EXPECT_EQ((*rows)->description().oddities, whole->oddities);
   for (int first = 0; first < whole->image.height(); ++first) {
     const auto row = (*rows)->read(1);
     ASSERT_TRUE(row) << row.error().message;
     EXPECT_THAT(row->row(0), ::testing::ElementsAreArray(whole->image.row(first))) << first;
   }
+  (*rows)->goTo(1);
+  EXPECT_THAT((*rows)->read(1)->row(0), ::testing::ElementsAreArray(whole->image.row(1))) << "it goes back";
 }
 
 /// Texels of any codes but 0, which would be black.

@@ -18,6 +18,20 @@ Result<std::unique_ptr<RowReader>> rowsOf(FileReader file, const ImageReadOption
 
 }  // namespace
 
+Result<void> RowReader::survey() {
+  if (is_surveyed_) return {};
+  MIRRORBALL_TRY_VOID(withName(description_.name, surveyFile(description_.oddities)));
+  is_surveyed_ = true;
+  return {};
+}
+
+Result<Image> RowReader::read(int count) {
+  MIRRORBALL_TRY_VOID(survey());
+  MIRRORBALL_TRY(rows, withName(description_.name, readRows(next_row_, count)));
+  next_row_ += count;
+  return std::move(rows);
+}
+
 Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path, const ImageReadOptions& options) {
   MIRRORBALL_TRY(file, FileReader::open(path));
   return withName(path.string(),

@@ -33,20 +33,33 @@ class RowReader {
 
   const Description& description() const { return description_; }
 
+  /// Finds what of the file is missing, where its header does not show it, and adds that to the description's oddities.
+  /// The first read() does it too.
+  ///
+  /// errors   io; bad_file; too_large
+  /// cost     of Radiance HDR: reads the whole file
+  Result<void> survey();
+
+  /// Goes to a row, at which the next read() begins.
+  void goTo(int row) { next_row_ = row; }
+
   /// Reads the next rows: linear light, Rec.709, as readImage gives it.
   ///
   /// count    at most as many as are left
-  /// errors   io; bad_file (what is wrong and at which byte)
+  /// errors   as survey's
   /// cost     as readImage's, on all cores; memory for those rows, and their bytes in the file
-  Result<Image> read(int count) { return withName(description_.name, readRows(count)); }
+  Result<Image> read(int count);
 
  protected:
   explicit RowReader(Description description) : description_(std::move(description)) {}
 
  private:
-  virtual Result<Image> readRows(int count) = 0;
+  virtual Result<void> surveyFile(std::vector<std::string>& /*oddities*/) { return {}; }
+  virtual Result<Image> readRows(int first, int count) = 0;
 
   Description description_;
+  bool is_surveyed_ = false;
+  int next_row_ = 0;
 };
 
 /// Opens a .exr or .hdr for reading by rows.

@@ -25,18 +25,16 @@ class ExrRows : public RowReader {
   ExrRows(Description description, ExrPart part) : RowReader(std::move(description)), part_(std::move(part)) {}
 
  private:
-  Result<Image> readRows(int count) override {
+  Result<Image> readRows(int first, int count) override {
     return decodingExr<Image>([&] {
       Image rows = Image::withoutValues(part_.width(), count, part_.channels());
-      part_.readRows(next_, count, rows.samples().data());
-      next_ += count;
+      part_.readRows(first, count, rows.samples().data());
       convertToRec709(rows, part_.primaries());
       return rows;
     });
   }
 
   ExrPart part_;
-  int next_ = 0;
 };
 
 }  // namespace

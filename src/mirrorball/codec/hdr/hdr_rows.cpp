@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/hdr/hdr_lines.h"
 
 namespace mirrorball {
@@ -21,10 +22,12 @@ struct FileLines {
 
 /// Walks through the file once, so that what is missing of it is known before any line is decoded.
 ///
-/// errors   io; bad_file
+/// errors   io; bad_file; too_large: there are too many lines
 Result<FileLines> findLines(const FileReader& file, const HdrHeader& header) {
   constexpr std::uint64_t kUsualBlock = std::uint64_t{1} << 22;
+  MIRRORBALL_TRY_VOID(checkMemory(sizeof(std::uint64_t) * header.lineCount()));
   FileLines lines{{header.size}};
+  lines.offsets.reserve(header.lineCount() + 1);
   Bytes bytes;
   for (std::uint64_t block = kUsualBlock; lines.count() < header.lineCount();) {
     const std::uint64_t at = lines.offsets.back();
@@ -47,29 +50,36 @@ Result<FileLines> findLines(const FileReader& file, const HdrHeader& header) {
 
 class HdrRows : public RowReader {
  public:
-  HdrRows(FileReader file, HdrHeader header, std::vector<std::uint64_t> offsets)
+  HdrRows(FileReader file, HdrHeader header)
       : RowReader({.name = file.name(),
                    .width = header.width,
                    .height = header.height,
                    .metadata = header.metadata,
                    .oddities = header.oddities}),
         file_(std::move(file)),
-        header_(std::move(header)),
-        offsets_(std::move(offsets)) {}
+        header_(std::move(header)) {}
 
  private:
-  Result<Image> readRows(int count) override;
+  Result<void> surveyFile(std::vector<std::string>& oddities) override;
+  Result<Image> readRows(int first, int count) override;
 
   FileReader file_;
   HdrHeader header_;
-  std::vector<std::uint64_t> offsets_;
-  std::size_t next_ = 0;
+  std::vector<std::uint64_t> offsets_ = {};  ///< FileLines::offsets, once it is surveyed
 };
 
-Result<Image> HdrRows::readRows(int count) {
+Result<void> HdrRows::surveyFile(std::vector<std::string>& oddities) {
+  MIRRORBALL_TRY(lines, findLines(file_, header_));
+  MIRRORBALL_TRY(remark, missingLinesRemark(header_, lines.count(), lines.new_rle_count, file_.size()));
+  if (!remark.empty()) oddities.push_back(std::move(remark));
+  offsets_ = std::move(lines.offsets);
+  return {};
+}
+
+Result<Image> HdrRows::readRows(int first, int count) {
   const std::size_t there = offsets_.size() - 1;
-  const std::size_t begin = std::min(next_, there);
-  const std::size_t end = std::min(next_ + static_cast<std::size_t>(count), there);
+  const std::size_t begin = std::min(static_cast<std::size_t>(first), there);
+  const std::size_t end = std::min(begin + static_cast<std::size_t>(count), there);
   Bytes bytes(static_cast<std::size_t>(offsets_[end] - offsets_[begin]));
   MIRRORBALL_TRY_VOID(file_.readAt(offsets_[begin], bytes));
   // Of a file that has changed since, fewer lines may be whole.
@@ -77,7 +87,6 @@ Result<Image> HdrRows::readRows(int count) {
   Image rows = Image::withoutValues(header_.width, count, 3);
   decodeLines(bytes, index, header_, rows);
   convertToRec709(rows, header_);
-  next_ += static_cast<std::size_t>(count);
   return rows;
 }
 
@@ -89,10 +98,7 @@ Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file) {
   MIRRORBALL_TRY(header, parseHdrHeader(begin));
   if (header.columns || header.x_descends || header.y_ascends) return nullptr;
   MIRRORBALL_TRY_VOID(checkLineBytes(header, file.size() - header.size));
-  MIRRORBALL_TRY(lines, findLines(file, header));
-  MIRRORBALL_TRY(remark, missingLinesRemark(header, lines.count(), lines.new_rle_count, file.size()));
-  if (!remark.empty()) header.oddities.push_back(std::move(remark));
-  return std::make_unique<HdrRows>(std::move(file), std::move(header), std::move(lines.offsets));
+  return std::make_unique<HdrRows>(std::move(file), std::move(header));
 }
 
 }  // namespace mirrorball

@@ -107,6 +107,12 @@ TEST_F(CubeFilesTest, SixNumberedPanoramasAreSeenByTheirHeaders) {
     ASSERT_TRUE(writeImage(path(name), Image(48, 24, 3, 0.5f)));
     EXPECT_EQ(sizeInHeader(path(name)), glm::ivec2(48, 24)) << name;
   }
+  Bytes damaged = *readFile(path("a.hdr"));
+  damaged.back() = 0;
+  damaged[damaged.size() - 2] = 0;  // a run of no bytes
+  ASSERT_TRUE(writeFile(path("a.hdr"), damaged));
+  EXPECT_FALSE(readImage(path("a.hdr")));
+  EXPECT_EQ(sizeInHeader(path("a.hdr")), glm::ivec2(48, 24)) << "what follows the header is not read";
   EXPECT_EQ(sizeInHeader(path("none.png")), std::nullopt);
   for (const std::string& name : names) {
     fs::resize_file(path(name), 10);

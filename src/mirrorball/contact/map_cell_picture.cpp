@@ -72,8 +72,8 @@ Result<CellPicture> mapCellPicture(const std::string& input, int width_px, const
   const int height = width_px / 2;
   CellPicture cell;
   std::optional<SmallPanorama> small;
-  MIRRORBALL_TRY(panorama, openPanorama(input, options));
-  if (panorama && isLarge(*panorama)) {
+  MIRRORBALL_TRY(panorama, openLargePanorama(input, options));
+  if (panorama) {
     auto by_rows = convertedByRows(*panorama, height, progress);
     if (!by_rows && by_rows.error().code != ErrorCode::non_finite) return fail(std::move(by_rows));
     if (by_rows) {

@@ -202,10 +202,10 @@ Result<SavedMap> convertFile(const std::string& input, const std::string& output
   MIRRORBALL_TRY_VOID(checkConversion(input, output, conversion));
   std::optional<PanoramaRows> panorama;
   if (!conversion.marked_north) {
-    MIRRORBALL_TRY(opened, openPanorama(input, conversion.load));
+    MIRRORBALL_TRY(opened, openLargePanorama(input, conversion.load));
     panorama = std::move(opened);
   }
-  if (panorama && isLarge(*panorama)) {
+  if (panorama) {
     tellAbout(*panorama, input, keeping);
     MIRRORBALL_TRY(file,
                    outputOf(input, output, conversion.file, conversion.to.value_or(Projection::equirect), keeping));

@@ -21,6 +21,7 @@
 #include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/picture_content.h"
 #include "mirrorball/environment/file/picture_meaning.h"
+#include "mirrorball/image/resize.h"
 
 namespace mirrorball {
 namespace {
@@ -79,11 +80,16 @@ Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, O
 /// Takes one eye's half of a stereo picture. A window in the whole means nothing for it.
 ///
 /// errors   bad_shape: the picture is too small; too_large
-Result<void> takeHalf(PictureHalf half, DecodedImage& decoded) {
+Result<void> takeHalf(PictureHalf half, bool is_squeezed, DecodedImage& decoded) {
   const glm::ivec2 size = sizeOfHalf({decoded.image.width(), decoded.image.height()}, half);
   if (size.x < 1 || size.y < 1) return fail(ErrorCode::bad_shape, "is too small to be a picture for two eyes");
   MIRRORBALL_TRY_VOID(checkImageMemory(size.x, size.y, decoded.image.channels()));
   decoded.image = cutHalf(decoded.image, half);
+  if (is_squeezed) {
+    const glm::ivec2 stretched = sizeOfStretched(size);
+    MIRRORBALL_TRY_VOID(checkImageMemory(stretched.x, stretched.y, decoded.image.channels()));
+    decoded.image = resized(decoded.image, stretched);
+  }
   decoded.window.reset();
   return {};
 }
@@ -105,7 +111,7 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
                                       const EnvironmentLoadOptions& options) {
   const glm::ivec2 file_size(decoded.image.width(), decoded.image.height());
   StereoEye eye = chooseEye(decoded.image, decoded.metadata, sphere, options.from);
-  if (eye.half) MIRRORBALL_TRY_VOID(takeHalf(*eye.half, decoded));
+  if (eye.half) MIRRORBALL_TRY_VOID(takeHalf(*eye.half, eye.is_squeezed, decoded));
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(meaning, readMeaning(size, decoded.metadata, sphere, options.from));
   if (!eye.oddity.empty()) meaning.oddities.push_back(std::move(eye.oddity));
@@ -259,6 +265,11 @@ void tellOddities(const std::string& name, const std::vector<std::string>& oddit
     observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
+void tellDoubt(const std::string& name, const FormDoubt& doubt, const Observer& observer) {
+  if (!doubt.message.empty())
+    observer.tell(RemarkKind::form_doubted, name + ": " + doubt.message, join(doubt.other_forms, "|"));
+}
+
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                      const ProgressFunction& progress) {
   std::error_code status;
@@ -352,7 +363,7 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   const MapForm& form = meaning.recognition.form;
   if (!isPlainPanorama(form) || meaning.changesPicture() || options.from.rest) return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
-  return PanoramaRows{std::move(rows), picture_from_world, std::move(meaning.oddities)};
+  return PanoramaRows{std::move(rows), picture_from_world, std::move(meaning.oddities), std::move(meaning.recognition)};
 }
 
 void tellAbout(const PanoramaRows& panorama, const std::string& name, const Observer& observer) {
@@ -361,13 +372,12 @@ void tellAbout(const PanoramaRows& panorama, const std::string& name, const Obse
   if (picture.window) adviseOnRest(*picture.window, oddities);
   oddities.insert(oddities.end(), panorama.oddities.begin(), panorama.oddities.end());
   tellOddities(name, oddities, picture.is_layer_guessed, observer);
+  tellDoubt(name, panorama.doubt, observer);
 }
 
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
   tellOddities(loaded.name, loaded.oddities, loaded.is_layer_guessed, observer);
-  if (!loaded.doubt.message.empty())
-    observer.tell(RemarkKind::form_doubted, loaded.name + ": " + loaded.doubt.message,
-                  join(loaded.doubt.other_forms, "|"));
+  tellDoubt(loaded.name, loaded.doubt, observer);
   if (loaded.lacks_gain_map)
     observer.tell(RemarkKind::gain_map_lost,
                   loaded.name +

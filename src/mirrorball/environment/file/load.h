@@ -97,9 +97,11 @@ struct PanoramaRows {
   /// Turns our directions into the picture's own: it may have another than +Z at its centre.
   glm::mat3 picture_from_world{1.0f};
   std::vector<std::string> oddities = {};  ///< what was decided of its form, beside those of its file
+  Recognition recognition = {};
+  FormDoubt doubt = {};  ///< of its form, where its light was looked at (openLargePanorama)
 };
 
-/// Opens a panorama to be read by rows.
+/// Opens a panorama to be read by rows. Neither its light nor whether rows are missing is looked at.
 ///
 /// returns  nothing if it must be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
 ///          read by rows (openRows), and maps that are repaired, limited, resampled or completed when they are loaded

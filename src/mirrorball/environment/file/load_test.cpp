@@ -18,6 +18,7 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/environment/file/large_panorama.h"
 #include "test_data.h"
 
 namespace mirrorball {
@@ -510,6 +511,38 @@ TEST_F(LoadTest, TwoDiscsAreRefusedUnlessTheyAreNamed) {
   EXPECT_THAT(loadEnvironment(path("discs.png")).error().message, HasSubstr("shows two discs on black"));
   for (const char* form : {"paraboloid", "equirect"})
     EXPECT_TRUE(loadEnvironment(path("discs.png"), {.from = *formHintNamed(form)})) << form;
+}
+
+TEST_F(LoadTest, WhatIsTooLargeForAWholeIsLookedAtAsWell) {
+  const Environment smooth(testing::smoothRadiance, 64);
+  const Image discs = pictureOf(*convert(smooth, Projection::paraboloid, 64), {Projection::paraboloid});
+  const Image front = convert(smooth, Projection::cube, 64)->face(4);
+  Image halves(128, 64, 3);
+  for (int y = 0; y < 64; ++y)
+    for (const int x : {0, 64}) std::copy_n(front.texel(0, y), 3 * 64, halves.texel(x, y));
+  const std::uint64_t usual = memoryLimit();
+  for (const char* name : {"a.hdr", "a.exr"}) {
+    ASSERT_TRUE(writeImage(path(name), discs));
+    EXPECT_FALSE(*openLargePanorama(path(name))) << "it is small";
+    setMemoryLimit(128 * 64 * 3 * 4);
+    const auto refused = openLargePanorama(path(name));
+    ASSERT_FALSE(refused) << name;
+    EXPECT_THAT(refused.error().message, StartsWith(path(name) + ": is 2:1 and shows two discs on black"));
+    EXPECT_TRUE(*openLargePanorama(path(name), {.from = *formHintNamed("equirect")}));
+    setMemoryLimit(usual);
+    ASSERT_TRUE(writeImage(path(name), halves));
+    setMemoryLimit(128 * 64 * 3 * 4);
+    const auto doubted = openLargePanorama(path(name));
+    setMemoryLimit(usual);
+    ASSERT_TRUE(doubted && *doubted) << name;
+    EXPECT_THAT((*doubted)->doubt.message, HasSubstr("two nearly equal halves"));
+    std::string told;
+    tellAbout(**doubted, name, {.remark = [&](const Remark& remark) { told += remark.message; }});
+    EXPECT_EQ(told, std::string(name) + ": " + (*doubted)->doubt.message);
+    EXPECT_EQ(rgbAt(*(*doubted)->rows->read(1), 1, 0),
+              rgbAt(loadEnvironment(path(name))->environment.map()->face(0), 1, 0))
+        << "it begins at the first row";
+  }
 }
 
 // Two eyes are no cube.

@@ -61,6 +61,45 @@ std::string tiltText(const CameraTilt& tilt) {
          formatNumber(tilt.roll_deg) + " degrees): levelled; {option:from} equirect:level=no leaves it as it is";
 }
 
+/// Whether a half may be a panorama that was squeezed to half its width or height, or to the frame of a film.
+bool mayBeHalf(glm::ivec2 half) {
+  return half.x > 0 && half.y > 0 && 20LL * half.x >= 17LL * half.y && half.x <= 5LL * half.y;
+}
+
+/// Whether a half of a picture has to be stretched to 2:1: it has not that shape, nor that of the part of a panorama
+/// that is named or stated.
+///
+/// stated   the half that the file's StereoMode names
+bool isSqueezed(glm::ivec2 picture, PictureHalf half, std::optional<PictureHalf> stated,
+                const std::optional<PhotoSphere>& sphere, const FormHint& hint) {
+  const glm::ivec2 size = sizeOfHalf(picture, half);
+  if (hint.part || isNearlyWholePanorama(size) || !mayBeHalf(size)) return false;
+  if (sphere && sphere->area && !hint.is_whole) {
+    const Result<PanoramaPart> part = panoramaPartOfStrip(*sphere->area);
+    if (part && !part->isWhole() && heightOfWhole(size, *part)) return false;
+  }
+  const auto isUpright = [](PictureHalf one) { return one == PictureHalf::top || one == PictureHalf::bottom; };
+  return isNearlyWholePanorama(picture) || (stated && isUpright(*stated) == isUpright(half));
+}
+
+/// half     the upper or the left one
+std::string readEyeText(PictureHalf half, bool is_squeezed) {
+  const bool is_top = half == PictureHalf::top;
+  return std::string(is_top ? "the upper one is read" : "the left one is read") +
+         (is_squeezed ? ", stretched to 2:1" : "") +
+         "; {option:from} equirect:eye=" + std::string(halfName(is_top ? PictureHalf::bottom : PictureHalf::right)) +
+         " reads the other";
+}
+
+/// size     the picture's
+std::string statedEyeText(glm::ivec2 size, PictureHalf half, bool is_squeezed) {
+  std::string text = "is a stereo picture, as its StereoMode says: " + readEyeText(half, is_squeezed);
+  if (!is_squeezed || !isNearlyWholePanorama(size)) return text;
+  text += ", {option:from} equirect:crop=none the whole as one panorama";
+  if (half == PictureHalf::left) text += ", {option:from} equirect:eye=left,fov=180x180 half a sphere";
+  return text;
+}
+
 }  // namespace
 
 bool isPlainPanorama(const MapForm& form) {
@@ -71,26 +110,35 @@ bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, cons
   return hint.eye || (sphere && !sphere->stereo.empty()) || size.x == size.y || size.x == 4 * size.y;
 }
 
+glm::ivec2 sizeOfStretched(glm::ivec2 half) {
+  const int height = std::max(half.y, (half.x + 1) / 2);
+  return {2 * height, height};
+}
+
 StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                     const FormHint& hint) {
-  if (hint.eye) return {hint.eye};
   const glm::ivec2 size(picture.width(), picture.height());
-  if (!isOpenToPhotoSphere(hint, metadata) || hint.part || hint.is_whole || !mayBeStereo(size, sphere, hint)) return {};
   const std::string mode = sphere ? sphere->stereo : std::string();
+  std::optional<PictureHalf> stated;
+  if (mode == "top-bottom" || mode == "left-right") stated = mode[0] == 't' ? PictureHalf::top : PictureHalf::left;
+  if (hint.eye) return {hint.eye, isSqueezed(size, *hint.eye, stated, sphere, hint)};
+  if (!isOpenToPhotoSphere(hint, metadata) || hint.part || hint.is_whole || !mayBeStereo(size, sphere, hint)) return {};
   if (mode == "mono") return {};
-  std::optional<PictureHalf> half;
-  if (mode == "top-bottom" || mode == "left-right") half = mode[0] == 't' ? PictureHalf::top : PictureHalf::left;
-  const bool is_stated = half && isNearlyWholePanorama(sizeOfHalf(size, *half));
-  if (!is_stated) half = equalHalves(picture);
-  if (!half) return {};
-  const bool is_top = half == PictureHalf::top;
-  std::string oddity = is_stated ? "is a stereo picture, as its StereoMode says"
-                                 : "holds two panoramas that are nearly equal, as a stereo picture's";
-  oddity += is_top ? ": the upper one is read" : ": the left one is read";
-  oddity += "; {option:from} equirect:eye=" + std::string(halfName(is_top ? PictureHalf::bottom : PictureHalf::right)) +
-            " reads the other";
-  if (!is_stated && is_top) oddity += ", {option:from} sphere the whole as one map";
-  return {half, std::move(oddity)};
+  if (stated && mayBeHalf(sizeOfHalf(size, *stated))) {
+    const bool is_squeezed = isSqueezed(size, *stated, stated, sphere, hint);
+    return {stated, is_squeezed, statedEyeText(size, *stated, is_squeezed)};
+  }
+  const std::optional<PictureHalf> half = equalHalves(picture);
+  if (half) {
+    std::string oddity =
+        "holds two panoramas that are nearly equal, as a stereo picture's: " + readEyeText(*half, false);
+    if (half == PictureHalf::top) oddity += ", {option:from} sphere the whole as one map";
+    return {half, false, std::move(oddity)};
+  }
+  if (!stated) return {};
+  return {std::nullopt, false,
+          "is a stereo picture, as its StereoMode '" + mode + "' says, and " + sizeText(size) +
+              " is not the shape of one: taken as one picture"};
 }
 
 Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,

@@ -33,15 +33,19 @@ bool isPlainPanorama(const MapForm& form);
 /// Which half of a stereo picture is read.
 struct StereoEye {
   std::optional<PictureHalf> half = {};  ///< nothing: the picture is one map
+  bool is_squeezed = false;              ///< the half has to be stretched to 2:1
   std::string oddity = {};               ///< DecodedImage's: that it was decided here
 };
 
 /// Decides by the hint, then by what the file says, then by the picture's light, whether a picture holds two panoramas,
-/// one for each eye.
+/// one for each eye. Two panoramas in the frame of one are squeezed to half their width or height, as video has them.
 ///
 /// picture  as decoded
 StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                     const FormHint& hint);
+
+/// The size of the panorama, 2:1, of which a squeezed half loses nothing.
+glm::ivec2 sizeOfStretched(glm::ivec2 half);
 
 /// Whether that needs the picture's light.
 bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint);

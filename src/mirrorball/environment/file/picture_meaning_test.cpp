@@ -145,13 +145,49 @@ TEST(PictureMeaning, AnEyeOfAStereoPictureIsChosen) {
       "is a stereo picture, as its StereoMode says: the upper one is read; {option:from} equirect:eye=bottom reads "
       "the other");
   EXPECT_EQ(chosen(Image(1024, 256, 3), "GPano:StereoMode='left-right'").half, PictureHalf::left);
-  EXPECT_EQ(chosen(square, "GPano:StereoMode='left-right'").half, std::nullopt) << "not the shape of two panoramas";
+  EXPECT_FALSE(stated.is_squeezed);
+  const StereoEye thin = chosen(square, "GPano:StereoMode='left-right'");
+  EXPECT_EQ(thin.half, std::nullopt);
+  EXPECT_EQ(thin.oddity,
+            "is a stereo picture, as its StereoMode 'left-right' says, and 512x512 is not the shape of one: taken as "
+            "one picture");
   EXPECT_EQ(chosen(square, "").half, std::nullopt) << "one colour shows nothing";
   EXPECT_EQ(chosen(square, "GPano:StereoMode='top-bottom'", "sphere").half, std::nullopt);
   const StereoEye named = chosen(square, "", "equirect:eye=bottom");
   EXPECT_EQ(named.half, PictureHalf::bottom);
   EXPECT_EQ(named.oddity, "");
   EXPECT_THAT(formHintNamed("equirect:eye=middle").error().message, HasSubstr("eye=top, bottom, left or right"));
+}
+
+TEST(PictureMeaning, EyesThatWereSqueezedIntoOnePanoramasFrameAreStretched) {
+  const auto chosen = [&](glm::ivec2 size, const std::string& attributes, std::string_view hint = "") {
+    return chooseEye(Image(size.x, size.y, 3, 0.5f), {}, sphereIn(packetWith(attributes)), *formHintNamed(hint));
+  };
+  const std::string above = "GPano:StereoMode='top-bottom'", beside = "GPano:StereoMode='left-right'";
+  const StereoEye upper = chosen({256, 128}, above);
+  EXPECT_EQ(upper.half, PictureHalf::top);
+  EXPECT_TRUE(upper.is_squeezed);
+  EXPECT_EQ(upper.oddity,
+            "is a stereo picture, as its StereoMode says: the upper one is read, stretched to 2:1; {option:from} "
+            "equirect:eye=bottom reads the other, {option:from} equirect:crop=none the whole as one panorama");
+  const StereoEye left = chosen({256, 128}, beside);
+  EXPECT_EQ(left.half, PictureHalf::left);
+  EXPECT_TRUE(left.is_squeezed);
+  EXPECT_THAT(left.oddity, HasSubstr("equirect:eye=left,fov=180x180 half a sphere"));
+  EXPECT_TRUE(chosen({1920, 1080}, above).is_squeezed) << "the frame of a film";
+  EXPECT_TRUE(chosen({1920, 1080}, above, "equirect:eye=bottom").is_squeezed);
+  EXPECT_TRUE(chosen({256, 128}, "", "equirect:eye=bottom").is_squeezed);
+  EXPECT_FALSE(chosen({256, 128}, beside, "equirect:eye=left,fov=180x180").is_squeezed);
+  EXPECT_FALSE(chosen({256, 256}, "", "equirect:eye=left").is_squeezed) << "nobody says that";
+  EXPECT_EQ(chosen({256, 128}, above, "equirect:crop=none").half, std::nullopt);
+  EXPECT_EQ(chosen({256, 128}, "").half, std::nullopt);
+  std::string half_sphere = kHalfOfPanorama + (" " + beside);
+  half_sphere.replace(half_sphere.find("\"256\" GPano:CroppedAreaImageH"), 5, "\"128\"");
+  const StereoEye part = chosen({256, 128}, half_sphere);
+  EXPECT_EQ(part.half, PictureHalf::left);
+  EXPECT_FALSE(part.is_squeezed) << "it is the part that it says";
+  EXPECT_EQ(sizeOfStretched({256, 64}), glm::ivec2(256, 128));
+  EXPECT_EQ(sizeOfStretched({128, 128}), glm::ivec2(256, 128));
 }
 
 TEST(PictureMeaning, TheWindowOfAPictureThatIsResampledIsThatOfTheMap) {
@@ -285,6 +321,22 @@ TEST_F(CompletedPanoramaTest, OneEyeOfTwoIsLoaded) {
   EXPECT_EQ(half->environment.radiance({0, 0, -1}), glm::vec3(0.0f));
   ASSERT_TRUE(writeImage(path, both));
   EXPECT_EQ(loadEnvironment(path, {.from = *formHintNamed("equirect:eye=left")}).error().code, ErrorCode::bad_shape);
+}
+
+TEST_F(CompletedPanoramaTest, ASqueezedEyeIsTheWholeSphere) {
+  const std::string path = panorama({256, 128}, "GPano:StereoMode='top-bottom'");
+  const auto loaded = loadEnvironment(path);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->file_size, glm::ivec2(256, 128));
+  EXPECT_EQ(loaded->environment.map()->extent(), glm::ivec2(256, 128));
+  EXPECT_THAT(loaded->oddities, ElementsAre(HasSubstr("the upper one is read, stretched to 2:1")));
+  Image both(256, 128, 3, 0.25f);
+  for (int y = 64; y < 128; ++y) std::fill_n(both.texel(0, y), 3 * 256, 0.75f);
+  ASSERT_TRUE(writeImage(path, both));
+  const auto lower = loadEnvironment(path, {.from = *formHintNamed("equirect:eye=bottom")});
+  ASSERT_TRUE(lower) << lower.error().message;
+  EXPECT_EQ(lower->environment.map()->extent(), glm::ivec2(256, 128));
+  for (const glm::vec3 d : testing::manyDirections(100)) EXPECT_NEAR(lower->environment.radiance(d).x, 0.75f, 1e-6f);
 }
 
 // The smaller levels of a texture are not those of the panorama that was made of it.

@@ -1,6 +1,7 @@
 #include "mirrorball/codec/ldr/png.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
@@ -139,6 +140,13 @@ struct Pixels {
   std::vector<std::string> oddities;
 };
 
+/// Metadata stands in tEXt alone. Of the other texts libpng would unpack all that are compressed, up to a thousand times
+/// as many bytes as the file has.
+void passOverOtherTexts(png_structp png) {
+  constexpr std::array<png_byte, 10> kTexts{'z', 'T', 'X', 't', 0, 'i', 'T', 'X', 't', 0};
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kTexts.data(), 2);
+}
+
 Metadata readTexts(png_structp png, png_infop info) {
   Metadata metadata;
   png_textp texts = nullptr;
@@ -163,6 +171,7 @@ Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
   const bool read = guardedFromPng(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
     keepPngColor(reader.png);
+    passOverOtherTexts(reader.png);
     png_read_info(reader.png, reader.info);
   });
   if (!read) return damaged(reader);

@@ -17,6 +17,7 @@
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/png_testing.h"
 #include "mirrorball/codec/written_format_testing.h"
 
 namespace mirrorball {
@@ -114,6 +115,16 @@ TEST(Png, MetadataComesBackAndForeignTextsDoNot) {
   const Metadata metadata{{"mirrorball:projection", "sphere"}, {"mirrorball:layout", ""}};
   EXPECT_EQ(light(*encodePng(Image8(1, 1, 3), metadata)).metadata, metadata);
   EXPECT_TRUE(light(*encodePng(Image8(1, 1, 3), {{"Software", "x"}})).metadata.empty());
+}
+
+// Unpacked, many of them would be a thousand times as large as their file.
+TEST(Png, MetadataIsInTextsThatAreNeverCompressed) {
+  const std::string key("mirrorball:projection\0", 22);
+  EXPECT_EQ(light(testing::pngWithChunk("tEXt", key + "sphere")).metadata,
+            (Metadata{{"mirrorball:projection", "sphere"}}));
+  const std::string packed = testing::deflated("sphere");
+  EXPECT_TRUE(light(testing::pngWithChunk("zTXt", key + std::string(1, '\0') + packed)).metadata.empty());
+  EXPECT_TRUE(light(testing::pngWithChunk("iTXt", key + std::string("\1\0en\0\0", 6) + packed)).metadata.empty());
 }
 
 TEST(Png, GreyOfEveryDepth) {

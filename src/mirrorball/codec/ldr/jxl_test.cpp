@@ -123,6 +123,10 @@ TEST(Jxl, XmpThatBrotliCompressedIsFound) {
   EXPECT_TRUE(decodeJxlCodes(file));
   EXPECT_EQ(compressedXmp(file), packet);
   EXPECT_EQ(compressedXmp(jxlFile(jxlPicture(3))), "");
+  const std::string other = "<svg>" + std::string(40000, 'x') + "</svg>";
+  EXPECT_EQ(compressedXmp(jxlFile(jxlPicture(3), JxlForm{.other_xml = other, .xmp = packet})), packet);
+  const std::string long_one(kLongestCompressedXmp, ' ');
+  EXPECT_EQ(compressedXmp(jxlFile(jxlPicture(3), JxlForm{.other_xml = long_one, .xmp = packet})), "");
   for (std::size_t size = 0; size < 300; ++size) {
     const std::string found = compressedXmpInJxl(std::span(file).first(size));
     EXPECT_TRUE(found.empty() || found == packet) << size;

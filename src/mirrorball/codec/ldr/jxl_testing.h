@@ -20,7 +20,8 @@ struct JxlForm {
   bool is_lossy = false;
   int orientation = 1;               ///< as cameras number them
   std::uint32_t extra_channels = 0;  ///< beside alpha, all black
-  std::string xmp = {};              ///< in a box that Brotli compresses; empty: none
+  std::string other_xml = {};        ///< in a box that Brotli compresses; empty: none
+  std::string xmp = {};              ///< in another behind it
 };
 
 /// A picture of 3 or 4 channels.
@@ -57,10 +58,11 @@ Bytes jxlFile(const ImageOf<Sample>& picture, const JxlForm& form = {}) {
     JxlEncoderInitExtraChannelInfo(JXL_CHANNEL_OPTIONAL, &extra);
     EXPECT_EQ(JxlEncoderSetExtraChannelInfo(encoder.get(), i, &extra), JXL_ENC_SUCCESS);
   }
-  if (!form.xmp.empty()) {
-    EXPECT_EQ(JxlEncoderUseBoxes(encoder.get()), JXL_ENC_SUCCESS);
-    const auto* xmp = reinterpret_cast<const std::uint8_t*>(form.xmp.data());
-    EXPECT_EQ(JxlEncoderAddBox(encoder.get(), "xml ", xmp, form.xmp.size(), JXL_TRUE), JXL_ENC_SUCCESS);
+  if (!form.other_xml.empty() || !form.xmp.empty()) EXPECT_EQ(JxlEncoderUseBoxes(encoder.get()), JXL_ENC_SUCCESS);
+  for (const std::string& text : {form.other_xml, form.xmp}) {
+    if (text.empty()) continue;
+    const auto* xml = reinterpret_cast<const std::uint8_t*>(text.data());
+    EXPECT_EQ(JxlEncoderAddBox(encoder.get(), "xml ", xml, text.size(), JXL_TRUE), JXL_ENC_SUCCESS);
   }
   JxlEncoderFrameSettings* settings = JxlEncoderFrameSettingsCreate(encoder.get(), nullptr);
   if (form.is_lossy)

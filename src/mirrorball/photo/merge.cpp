@@ -312,7 +312,7 @@ bool isMergedLight(const Photograph& photograph) { return !photograph.light.empt
 Result<void> checkMergeMemory(std::span<const Photograph> photographs) {
   const Photograph& first = photographs.front();
   if (isMergedLight(first)) return checkMemory(first.bytes());
-  constexpr std::uint64_t kMergedTexel = 3 * sizeof(float), kRoundedTexel = 4;
+  constexpr std::uint64_t kMergedTexel = 12, kRoundedTexel = 4;  // bytes
   const std::uint64_t rounded = first.is_clipped_at_1 ? photographs.size() * kRoundedTexel : 0;
   return checkMemory((kMergedTexel + rounded) * std::uint64_t(first.width()) * std::uint64_t(first.height()));
 }

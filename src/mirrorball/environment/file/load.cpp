@@ -86,7 +86,7 @@ Result<void> takeHalf(PictureHalf half, bool is_squeezed, DecodedImage& decoded)
   MIRRORBALL_TRY_VOID(checkImageMemory(size.x, size.y, decoded.image.channels()));
   decoded.image = cutHalf(decoded.image, half);
   if (is_squeezed) {
-    const glm::ivec2 stretched = sizeOfStretched(size);
+    const glm::ivec2 stretched = stretchedSize(size);
     MIRRORBALL_TRY_VOID(checkImageMemory(stretched.x, stretched.y, decoded.image.channels()));
     decoded.image = resized(decoded.image, stretched);
   }

@@ -536,9 +536,9 @@ TEST_F(LoadTest, WhatIsTooLargeForAWholeIsLookedAtAsWell) {
     setMemoryLimit(usual);
     ASSERT_TRUE(doubted && *doubted) << name;
     EXPECT_THAT((*doubted)->doubt.message, HasSubstr("two nearly equal halves"));
-    std::string told;
-    tellAbout(**doubted, name, {.remark = [&](const Remark& remark) { told += remark.message; }});
-    EXPECT_EQ(told, std::string(name) + ": " + (*doubted)->doubt.message);
+    std::string remarks;
+    tellAbout(**doubted, name, {.remark = [&](const Remark& remark) { remarks += remark.message; }});
+    EXPECT_EQ(remarks, std::string(name) + ": " + (*doubted)->doubt.message);
     EXPECT_EQ(rgbAt(*(*doubted)->rows->read(1), 1, 0),
               rgbAt(loadEnvironment(path(name))->environment.map()->face(0), 1, 0))
         << "it begins at the first row";

@@ -136,7 +136,7 @@ bool areOfOwnDirections(std::array<std::vector<float>, 4> edges, float folds) {
     for (std::size_t i = 0; i < light.size(); ++i) moves += std::abs(double(light[i]) - double(moved[i]));
   }
   // As the sum of the edges' differences would be, were each as bright as all of them.
-  return 2.0 * moves > double(2.0f * folds + 0.04f) * light_of_all;
+  return 2.0 * moves > double(2.5f * folds + 0.1f) * light_of_all;
 }
 
 /// Square roots of the mean light in the cells of a part of a picture, by rows: a lamp counts less among them.
@@ -244,16 +244,15 @@ bool foldsAtEdges(const Image& picture) {
   if (picture.width() < kSmallest || showsDisc(picture)) return false;
   const int count = std::min(picture.width(), kMostSamples) / 2 * 2;
   std::array<std::vector<float>, 4> edges;
-  float all_folds = 0.0f, all_moves = 0.0f;
+  float all_folds = 0.0f;
   for (int edge = 0; edge < 4; ++edge) {
     const std::vector<float> light = lightAlongEdge(picture, edge, count);
     const float fold = difference(light, {light.rbegin(), light.rend()});
-    if (fold > 0.1f) return false;
+    if (fold > 0.25f) return false;
     all_folds += fold;
-    all_moves += difference(light, movedByHalf(light));
     edges[static_cast<std::size_t>(edge)] = light;
   }
-  return all_moves > 4.0f * all_folds + 0.1f && areOfOwnDirections(edges, all_folds);
+  return areOfOwnDirections(edges, all_folds);
 }
 
 std::optional<PictureHalf> equalHalves(const Image& picture) {

@@ -105,6 +105,12 @@ TEST(PictureContent, OnlyAnUnfoldedOctahedronFoldsAtItsEdges) {
     EXPECT_FALSE(foldsAtEdges(pictureOfLight(projection, 256))) << testing::testName(projection);
   EXPECT_FALSE(foldsAtEdges(convert(Environment(landscape, 64), Projection::cube, 128)->face(4)));
   EXPECT_FALSE(foldsAtEdges(Image(64, 64, 3, 1.0f))) << "one colour shows nothing";
+  // Of foliage neighbouring texels differ.
+  const auto garden = [](glm::vec3 d) {
+    const float towards = 1.2f + d.x + 0.7f * d.z;
+    return glm::vec3(towards * (1.0f + 0.5f * std::sin(48.0f * d.x) + 0.45f * std::cos(45.0f * d.z)));
+  };
+  EXPECT_TRUE(foldsAtEdges(pictureOfLight(Projection::equal_area, 256, garden)));
 }
 
 // What is symmetrical about its middle folds too, and its edges are alike.

@@ -110,7 +110,7 @@ bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, cons
   return hint.eye || (sphere && !sphere->stereo.empty()) || size.x == size.y || size.x == 4 * size.y;
 }
 
-glm::ivec2 sizeOfStretched(glm::ivec2 half) {
+glm::ivec2 stretchedSize(glm::ivec2 half) {
   const int height = std::max(half.y, (half.x + 1) / 2);
   return {2 * height, height};
 }

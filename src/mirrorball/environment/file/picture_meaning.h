@@ -45,7 +45,7 @@ StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::o
                     const FormHint& hint);
 
 /// The size of the panorama, 2:1, of which a squeezed half loses nothing.
-glm::ivec2 sizeOfStretched(glm::ivec2 half);
+glm::ivec2 stretchedSize(glm::ivec2 half);
 
 /// Whether that needs the picture's light.
 bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint);

@@ -186,8 +186,8 @@ TEST(PictureMeaning, EyesThatWereSqueezedIntoOnePanoramasFrameAreStretched) {
   const StereoEye part = chosen({256, 128}, half_sphere);
   EXPECT_EQ(part.half, PictureHalf::left);
   EXPECT_FALSE(part.is_squeezed) << "it is the part that it says";
-  EXPECT_EQ(sizeOfStretched({256, 64}), glm::ivec2(256, 128));
-  EXPECT_EQ(sizeOfStretched({128, 128}), glm::ivec2(256, 128));
+  EXPECT_EQ(stretchedSize({256, 64}), glm::ivec2(256, 128));
+  EXPECT_EQ(stretchedSize({128, 128}), glm::ivec2(256, 128));
 }
 
 TEST(PictureMeaning, TheWindowOfAPictureThatIsResampledIsThatOfTheMap) {

@@ -136,14 +136,14 @@ TEST_F(ConvertRowsTest, ABadTexelIsNamedByItsPlaceInThePicture) {
               AllOf(StartsWith("bad.exr: "), HasSubstr("(17, 203)"), HasSubstr("--repair")));
 }
 
-TEST_F(ConvertRowsTest, AFileThatIsCutOffLeavesNothing) {
+TEST_F(ConvertRowsTest, AFileThatIsCutIsConvertedAsFarAsItGoes) {
   for (const std::string file : {"map.exr", "map.hdr"}) {
     Bytes cut = bytes(file);
     cut.resize(cut.size() * 2 / 3);
     write("cut" + file.substr(3), cut);
-    for (const std::string output : {"out.exr", "out.ktx2"})
-      EXPECT_THAT(refuse(1, "convert cut" + file.substr(3) + " --to cube --size 64 --max-memory 1M -o " + output),
-                  StartsWith("cut" + file.substr(3) + ": "));
+    const Outcome outcome = run("convert cut" + file.substr(3) + " --to cube --size 64 -o out.ktx2 --max-memory 1M");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("rows that are missing are black"));
   }
 }
 

@@ -40,8 +40,8 @@ inline constexpr double kContradiction_stops = 0.5;
 /// Linear codes are light by themselves, unless the options name a response.
 ///
 /// photographs  at least one, of one size; a file of linear light stands alone, if its light is not that of codes
-/// errors       too_large; bad_shape (sizes or primaries differ; too little to recover the response from); usage (no exposure
-///              times; all the same; a wrong number of them; linear light of floats in a series)
+/// errors       too_large; bad_shape (sizes or primaries differ; too little to recover the response from); usage (no
+///              exposure times; all the same; a wrong number of them; linear light of floats in a series)
 /// cost         one pass over all pixels; bit-identical for any number of threads
 /// from         Robertson, Borman & Stevenson 2003, "Estimation-theoretic approach to dynamic range enhancement using
 ///              multiple exposures", eq. 10

@@ -140,8 +140,8 @@ struct Pixels {
   std::vector<std::string> oddities;
 };
 
-/// Metadata stands in tEXt alone. Of the other texts libpng would unpack all that are compressed, up to a thousand times
-/// as many bytes as the file has.
+/// Metadata stands in tEXt alone. Of the other texts libpng would unpack all that are compressed, up to a thousand
+/// times as many bytes as the file has.
 void passOverOtherTexts(png_structp png) {
   constexpr std::array<png_byte, 10> kTexts{'z', 'T', 'X', 't', 0, 'i', 'T', 'X', 't', 0};
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kTexts.data(), 2);

@@ -159,7 +159,7 @@ Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {
   header.format = *format;
   if (typed != stated)
     header.oddities.push_back("leaves open what its samples are (DXGI_FORMAT " + std::to_string(stated) +
-                              ", typeless): read as " + nameOf(*format));
+                              ", typeless): read as " + formatName(*format));
   // World of Tanks Blitz has 0, D3D10_RESOURCE_DIMENSION_UNKNOWN (microsoft/DirectXTex#667).
   const std::uint32_t dimension = littleU32(dx10 + 4);
   if (dimension == 0) header.oddities.emplace_back("does not say its dimension: read as two-dimensional");
@@ -380,7 +380,7 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
   const std::string color = describeColor(transferCurve(format), {}, imageChannels(format)) + assumed;
   return DecodedImageSet{.images = std::move(images),
                          .metadata = {},
-                         .format = "DDS, " + nameOf(header.format) + assumed,
+                         .format = "DDS, " + formatName(header.format) + assumed,
                          .color = as == ReadAs::light ? color : std::string(kAsStored),
                          .oddities = std::move(header.oddities),
                          .is_converted = hasSrgbCurve(format)};

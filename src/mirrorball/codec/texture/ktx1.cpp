@@ -127,7 +127,7 @@ class Reader {
     const std::string color = describeColor(transferCurve(format), {}, imageChannels(format));
     return DecodedImageSet{.images = std::move(images),
                            .metadata = std::move(values.metadata),
-                           .format = "KTX1, " + nameOf(stored) + (big_endian_ ? ", big-endian" : ""),
+                           .format = "KTX1, " + formatName(stored) + (big_endian_ ? ", big-endian" : ""),
                            .color = as_ == ReadAs::light ? color : std::string(kAsStored),
                            .oddities = std::move(oddities_),
                            .is_converted = format.type == SampleType::srgb8};
@@ -183,7 +183,7 @@ class Reader {
       const std::uint64_t expected = states_levels ? of_level : size;
       if (stated != expected)
         return fail(ErrorCode::bad_file, "level " + std::to_string(level) + " at byte " + std::to_string(at_) +
-                                             " says it has " + counted(stated, "byte") + "; as " + nameOf(format) +
+                                             " says it has " + counted(stated, "byte") + "; as " + formatName(format) +
                                              " it has " + std::to_string(expected));
       at_ += 4;
       for (int layer = 0; layer < images.layers(); ++layer)

@@ -134,7 +134,7 @@ Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedCo
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
   if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
   if (color.srgb && format->type != SampleType::srgb8 && as == ReadAs::light)
-    return unsupportedTexture(nameOf(*format) + " encoded as sRGB", kKtx2Instead);
+    return unsupportedTexture(formatName(*format) + " encoded as sRGB", kKtx2Instead);
   return *format;
 }
 
@@ -156,7 +156,7 @@ Result<void> checkLevelSizes(const Ktx2Header& header, const StoredFormat& forma
     const std::uint64_t stated = is_plain ? level.size : level.unpacked_size;
     if (stated != expected)
       return fail(ErrorCode::bad_file, place + " says it has " + counted(stated, "byte") + " of texels; as " +
-                                           nameOf(format) + " it has " + std::to_string(expected));
+                                           formatName(format) + " it has " + std::to_string(expected));
     if (!is_plain && !mayUnpackTo(level.size, expected))
       return fail(ErrorCode::bad_file, place + " has " + counted(level.size, "compressed byte") + ", too few for " +
                                            std::to_string(expected) + "; the file is damaged");
@@ -243,12 +243,13 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
   if (!values.swizzle.empty()) oddities.push_back(swizzleRemark(values));
   if (as == ReadAs::numbers) tellUnapplied(spaceStatedBy(stored, color), oddities);
   const std::string text = describeColor(transferCurve(format), color.primaries, imageChannels(format));
-  return DecodedImageSet{.images = std::move(images),
-                         .metadata = std::move(values.metadata),
-                         .format = "KTX2, " + nameOf(stored) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
-                         .color = as == ReadAs::light ? text : std::string(kAsStored),
-                         .oddities = std::move(oddities),
-                         .is_converted = is_converted};
+  return DecodedImageSet{
+      .images = std::move(images),
+      .metadata = std::move(values.metadata),
+      .format = "KTX2, " + formatName(stored) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+      .color = as == ReadAs::light ? text : std::string(kAsStored),
+      .oddities = std::move(oddities),
+      .is_converted = is_converted};
 }
 
 }  // namespace mirrorball

@@ -255,7 +255,7 @@ StoredFormat storedFormat(TexelFormat format) {
   }
 }
 
-std::string nameOf(const StoredFormat& format) {
+std::string formatName(const StoredFormat& format) {
   if (isInBits(format.type)) return nameOfBits(format) + (hasSrgbCurve(format) ? " srgb" : " unorm");
   if (format.type == SampleType::b10g11r11) return "b10g11r11 ufloat";
   if (format.type == SampleType::e5b9g9r9) return "e5b9g9r9 ufloat";

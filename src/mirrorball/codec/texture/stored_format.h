@@ -45,7 +45,7 @@ struct StoredFormat {
 StoredFormat storedFormat(TexelFormat format);
 
 /// "r16g16b16a16 sfloat": Vulkan's name in lower case.
-std::string nameOf(const StoredFormat& format);
+std::string formatName(const StoredFormat& format);
 
 /// Texels along a side of the blocks in which texels are stored: 4 where they are compressed, else 1.
 int blockSide(const StoredFormat& format);

@@ -135,17 +135,18 @@ TEST(StoredFormat, DecodesEveryKind) {
       {{SampleType::e5b9g9r9, 3}, {0x00, 0x01, 0x01, 0x81}, {1.0f, 0.5f, 0.25f}},
   };
   for (const Stored& kind : kinds) {
-    ASSERT_EQ(kind.bytes.size(), blockSize(kind.format)) << nameOf(kind.format);
+    ASSERT_EQ(kind.bytes.size(), blockSize(kind.format)) << formatName(kind.format);
     const Image image = *unpackTexels(kind.format, kind.bytes.data(), kind.bytes.size(), 1, 1);
-    EXPECT_EQ(std::vector<float>(image.samples().begin(), image.samples().end()), kind.light) << nameOf(kind.format);
+    EXPECT_EQ(std::vector<float>(image.samples().begin(), image.samples().end()), kind.light)
+        << formatName(kind.format);
   }
 }
 
 TEST(StoredFormat, IsNamedAsInVulkan) {
-  EXPECT_EQ(nameOf({SampleType::half, 4}), "r16g16b16a16 sfloat");
-  EXPECT_EQ(nameOf({SampleType::srgb8, 4, true, true}), "b8g8r8x8 srgb");
-  EXPECT_EQ(nameOf({SampleType::unorm16, 1}), "r16 unorm");
-  EXPECT_EQ(nameOf({SampleType::e5b9g9r9, 3}), "e5b9g9r9 ufloat");
+  EXPECT_EQ(formatName({SampleType::half, 4}), "r16g16b16a16 sfloat");
+  EXPECT_EQ(formatName({SampleType::srgb8, 4, true, true}), "b8g8r8x8 srgb");
+  EXPECT_EQ(formatName({SampleType::unorm16, 1}), "r16 unorm");
+  EXPECT_EQ(formatName({SampleType::e5b9g9r9, 3}), "e5b9g9r9 ufloat");
 }
 
 }  // namespace

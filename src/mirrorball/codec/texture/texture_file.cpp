@@ -66,7 +66,7 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
     return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
   if (container != ImageFormatId::ktx2 && !holdsFormat(extensionOf(path), options.format))
     return fail(ErrorCode::usage,
-                name + ": cannot hold " + nameOf(storedFormat(options.format)) + " texels; use .ktx2");
+                name + ": cannot hold " + formatName(storedFormat(options.format)) + " texels; use .ktx2");
   MIRRORBALL_TRY_VOID(checkStatesPrimaries(path, options.primaries, {Holds::texture}));
   if (options.zstandard_level > 0) MIRRORBALL_TRY_VOID(withName(name, checkZstandard()));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));

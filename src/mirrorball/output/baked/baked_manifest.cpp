@@ -87,7 +87,7 @@ Json cubeJson(const CubeFiles& files, const std::string& format, int size, const
 Json brdfJson(const BrdfFile& file, const BakedSetSettings& settings) {
   Json json;
   json["file"] = fs::path(file.path).filename();
-  json["format"] = file.isTexture()                   ? nameOf(storedFormat(file.format))
+  json["format"] = file.isTexture()                   ? formatName(storedFormat(file.format))
                    : file.format == TexelFormat::half ? "three channels of half floats"
                                                       : "three channels of 32-bit floats";
   json["size"] = settings.brdf_size;
@@ -103,7 +103,7 @@ Json brdfJson(const BrdfFile& file, const BakedSetSettings& settings) {
 Json lobeRowsJson(const LobeRowFiles& files) {
   Json json{{"file", LobeRowFiles::kTextureName}};
   if (files.has_text) json["json"] = LobeRowFiles::kTextName;
-  json["format"] = nameOf(storedFormat(TexelFormat::half));
+  json["format"] = formatName(storedFormat(TexelFormat::half));
   json.update(lobeRowFacts(files.lobes));
   return json;
 }

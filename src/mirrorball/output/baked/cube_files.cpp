@@ -54,7 +54,7 @@ Result<std::string> CubeFiles::write(ImageSet levels, const Metadata& facts,
                                      const std::function<Result<void>()>& go_on) const {
   if (isTexture()) {
     MIRRORBALL_TRY(format, outputs_.front().writeLevels(std::move(levels), facts));
-    return nameOf(storedFormat(format));
+    return formatName(storedFormat(format));
   }
   for (int level = 0; level < levels.levels(); ++level) {
     if (level > 0) MIRRORBALL_TRY_VOID(go_on());

@@ -32,8 +32,8 @@ class NamedFiles {
   /// What is found otherwise than it is spelled is remarked on, once a file.
   ///
   /// readings   at least one; the first is what an error calls it
-  /// size       how long it is to be, where that is known [bytes]: one of that size is no archive, whatever numbers it
-  ///            begins with
+  /// size       how long it is to be, where that is known [bytes]: one of that size is not taken for an archive,
+  ///            whatever numbers it begins with
   /// errors     as ModelFiles::find's of the first reading, and its read's: "'a.mtl' is missing; put it beside the
   ///            model"; unsupported: what stands in its place, as a Git LFS pointer, with what helps
   Result<Found> read(std::span<const std::string> readings, std::optional<std::size_t> size = {});

@@ -206,6 +206,11 @@ bool goesRound(const std::vector<float>& cells, glm::ivec2 count) {
   return seam <= 1.5 * steps / (count.x - 1);
 }
 
+std::vector<float> withRowsReversed(std::vector<float> cells, int width) {
+  for (auto row = cells.begin(); row != cells.end(); row += width) std::reverse(row, row + width);
+  return cells;
+}
+
 /// Whether a picture's halves, of which one is named, are nearly equal, and not in many other ways too.
 bool hasEqualHalves(const Image& picture, PictureHalf half) {
   constexpr glm::ivec2 kCells(48, 24);
@@ -214,12 +219,13 @@ bool hasEqualHalves(const Image& picture, PictureHalf half) {
   if (size.x < kCells.x || size.y < kCells.y) return false;
   const std::vector<float> first = cellsIn(picture, {0, 0}, size, kCells);
   const std::vector<float> second = cellsIn(picture, whole - size, size, kCells);
-  // Sky and ground differ. Stripes, tiles and one colour are equal in many other ways too.
+  // Sky and ground differ, and so do right and left. Stripes, tiles and one colour are equal in many other ways too.
   const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
-  const float within = difference({first.begin(), middle}, {middle, first.end()});
+  const float from_top_to_bottom = difference({first.begin(), middle}, {middle, first.end()});
+  const float from_side_to_side = difference(first, withRowsReversed(first, kCells.x));
   const float between = difference(first, second);
   const bool is_panorama = size.x < 2 * size.y && goesRound(first, kCells);
-  return between < 0.08f && between < 0.3f * within && !is_panorama;
+  return between < 0.08f && between < 0.3f * std::min(from_top_to_bottom, from_side_to_side) && !is_panorama;
 }
 
 /// Whether all texels are alike.

@@ -136,6 +136,9 @@ TEST(PictureContent, APanoramaThatShowsTheSameTwiceIsNoPictureForTwoEyes) {
     return doubt && !doubt->message.empty();
   };
   EXPECT_FALSE(isRemarked(painted({256, 128}, [](glm::vec2 p) { return 0.5f - 0.4f * p.y; }))) << "an even sky";
+  EXPECT_FALSE(isRemarked(painted({256, 128}, [](glm::vec2 p) {
+    return glm::distance(p, glm::vec2(-0.6f, -0.5f)) < 0.12f ? 1.0f : p.y < 0.0f ? 0.6f : 0.2f;
+  }))) << "a balloon in an even sky";
   const float turn = glm::pi<float>();
   for (const float times : {2.0f, 4.0f, 6.0f})
     EXPECT_FALSE(isRemarked(painted({256, 128}, [&](glm::vec2 p) {

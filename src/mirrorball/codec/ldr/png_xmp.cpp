@@ -14,7 +14,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kSignature = 8;
+constexpr std::size_t kPngSignatureSize = 8;
 constexpr std::size_t kChunkHead = 8;  // a chunk's length and its type
 constexpr std::size_t kChunkFrame = kChunkHead + 4;
 
@@ -103,7 +103,8 @@ std::string textIn(std::string_view type, std::string_view data, UnpackingBudget
 std::string compressedXmpInPng(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::string_view, 3> kTexts{"iTXt", "zTXt", "tEXt"};
   UnpackingBudget budget;
-  for (std::size_t at = kSignature; at < bytes.size() && bytes.size() - at >= kChunkFrame && !budget.isSpent();) {
+  for (std::size_t at = kPngSignatureSize;
+       at < bytes.size() && bytes.size() - at >= kChunkFrame && !budget.isSpent();) {
     const std::size_t length = bigU32(bytes.data() + at);
     if (length > bytes.size() - at - kChunkFrame) break;
     const auto text = [&](std::size_t begin, std::size_t size) {

@@ -10,8 +10,6 @@ constexpr char32_t kReplacement = 0xFFFD;
 constexpr char32_t kMark = 0xFEFF;
 
 bool isSurrogate(char32_t point) { return point >= 0xD800 && point < 0xE000; }
-bool isFirstOfPair(char32_t unit) { return unit >= 0xD800 && unit < 0xDC00; }
-bool isSecondOfPair(char32_t unit) { return unit >= 0xDC00 && unit < 0xE000; }
 
 /// Units of 16 bits in one of both orders.
 class Utf16 {

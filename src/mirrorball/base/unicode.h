@@ -22,6 +22,10 @@ CodePoint firstCodePoint(std::string_view text);
 /// Writes a code point at the end of a text in UTF-8; a surrogate, and what lies beyond 0x10FFFF, as U+FFFD.
 void appendUtf8(std::string& text, char32_t point);
 
+/// Whether a unit of UTF-16 is the first or the second of the two that stand for one code point.
+constexpr bool isFirstOfPair(char32_t unit) { return unit >= 0xD800 && unit < 0xDC00; }
+constexpr bool isSecondOfPair(char32_t unit) { return unit >= 0xDC00 && unit < 0xE000; }
+
 /// Whether bytes are a text in UTF-16, as Notepad and PowerShell write it: of a byte-order mark and a character of
 /// ASCII, or of four characters of ASCII without that mark.
 bool isUtf16(std::span<const std::uint8_t> bytes);

@@ -46,17 +46,21 @@ Result<void> checkLayer(const ImageReadOptions& options, bool has_layers) {
   return fail(ErrorCode::not_found, "has no layers, and none that is named '" + excerpt(options.layer) + "'");
 }
 
+/// Whether a file of a codec's format holds integers.
+bool holdsIntegers(const FormatCodec& codec, Span bytes) {
+  return codec.decode_codes && (!codec.holds_integers || codec.holds_integers(bytes));
+}
+
 /// The codec of a file that holds integers; nullptr of any other.
 const FormatCodec* codecOfIntegers(Span bytes) {
   const Result<const FormatCodec*> codec = codecFor(bytes);
-  if (!codec || !*codec || !(*codec)->decode_codes) return nullptr;
-  return !(*codec)->holds_integers || (*codec)->holds_integers(bytes) ? *codec : nullptr;
+  return codec && *codec && holdsIntegers(**codec, bytes) ? *codec : nullptr;
 }
 
 Result<DecodedImage> decodeByMagic(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(codec, codecFor(bytes));
   if (!codec) return unknownFormat(bytes, readFormatNames());
-  const bool are_numbers_of_codes = options.as == ReadAs::numbers && codecOfIntegers(bytes) != nullptr;
+  const bool are_numbers_of_codes = options.as == ReadAs::numbers && holdsIntegers(*codec, bytes);
   if (codec->decode && !are_numbers_of_codes) {
     MIRRORBALL_TRY(decoded, codec->decode(bytes, options));
     MIRRORBALL_TRY_VOID(checkLayer(options, !decoded.layer.empty()));

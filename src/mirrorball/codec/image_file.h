@@ -67,7 +67,7 @@ struct DecodedImage {
   std::string layer = {};                    ///< the one that was read, of a format that has layers
   bool is_layer_guessed = false;             ///< none was asked for, and the first of `oddities` tells of the choice
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
-  bool is_converted = false;               ///< read as numbers, the file would give other samples
+  bool is_converted = false;               ///< the samples are light, not what ReadAs::numbers gives
 };
 
 /// What the samples of an image's file are.

@@ -121,7 +121,7 @@ struct LinearSamples {
   }
 };
 
-/// Counts the pixels of a row that all photographs clip or leave black.
+/// How many pixels of a row all photographs clip or leave black.
 struct RowCounts {
   std::size_t clipped = 0;
   std::size_t black = 0;

@@ -13,10 +13,6 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-constexpr std::size_t kPngSignature = 8;
-constexpr std::size_t kPngChunkHead = 8;                   // a chunk's length and its type
-constexpr std::size_t kPngChunkFrame = kPngChunkHead + 4;  // and its checksum behind the data
-
 bool isOfType(Span chunk, std::string_view type) {
   return std::equal(type.begin(), type.end(), chunk.begin() + 4,
                     [](char letter, std::uint8_t byte) { return std::uint8_t(letter) == byte; });

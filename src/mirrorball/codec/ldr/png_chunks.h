@@ -9,6 +9,11 @@
 
 namespace mirrorball {
 
+// Sizes in bytes (PNG, third edition, 5.2 and 5.3).
+inline constexpr std::size_t kPngSignature = 8;
+inline constexpr std::size_t kPngChunkHead = 8;                   // a chunk's length and its type
+inline constexpr std::size_t kPngChunkFrame = kPngChunkHead + 4;  // and its checksum behind the data
+
 /// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory, and clears it,
 /// before it finds that the bytes are not there.
 ///

@@ -10,13 +10,10 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/compressed_xmp.h"
+#include "mirrorball/codec/ldr/png_chunks.h"
 
 namespace mirrorball {
 namespace {
-
-constexpr std::size_t kPngSignatureSize = 8;
-constexpr std::size_t kChunkHead = 8;  // a chunk's length and its type
-constexpr std::size_t kChunkFrame = kChunkHead + 4;
 
 constexpr std::string_view kXmpKeyword = "XML:com.adobe.xmp";
 constexpr std::array<std::string_view, 2> kRawProfiles{"Raw profile type xmp", "Raw profile type APP1"};
@@ -103,17 +100,16 @@ std::string textIn(std::string_view type, std::string_view data, UnpackingBudget
 std::string compressedXmpInPng(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::string_view, 3> kTexts{"iTXt", "zTXt", "tEXt"};
   UnpackingBudget budget;
-  for (std::size_t at = kPngSignatureSize;
-       at < bytes.size() && bytes.size() - at >= kChunkFrame && !budget.isSpent();) {
+  for (std::size_t at = kPngSignature; at < bytes.size() && bytes.size() - at >= kPngChunkFrame && !budget.isSpent();) {
     const std::size_t length = bigU32(bytes.data() + at);
-    if (length > bytes.size() - at - kChunkFrame) break;
+    if (length > bytes.size() - at - kPngChunkFrame) break;
     const auto text = [&](std::size_t begin, std::size_t size) {
       return std::string_view(reinterpret_cast<const char*>(bytes.data()) + begin, size);
     };
     const std::string_view type = text(at + 4, 4);
     if (contains(kTexts, type))
-      if (std::string xmp = textIn(type, text(at + kChunkHead, length), budget); holdsXmp(xmp)) return xmp;
-    at += length + kChunkFrame;
+      if (std::string xmp = textIn(type, text(at + kPngChunkHead, length), budget); holdsXmp(xmp)) return xmp;
+    at += length + kPngChunkFrame;
   }
   return {};
 }

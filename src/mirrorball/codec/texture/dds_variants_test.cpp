@@ -174,7 +174,8 @@ TEST(DdsVariants, RowsMayBePadded) {
   EXPECT_THAT(decodeDds(with(oldDds(header, Bytes(18, 9)), kPitchAt, 12))->oddities, IsEmpty());
 }
 
-// Of one bit of red and all of blue in the low bits; D3DX's masks are exchanged.
+// The texel's lowest ten bits are set. Of red and blue the one is read that the masks do not put there, since D3DX
+// wrote the two masks exchanged.
 TEST(DdsVariants, TenBitsBeforeDx10HaveExchangedMasks) {
   for (const bool is_red_high : {false, true}) {
     const std::array<std::uint32_t, 4> masks{is_red_high ? 0x3ff00000u : 0x3ffu, 0xffc00u,

@@ -130,7 +130,7 @@ class Reader {
                            .format = "KTX1, " + formatName(stored) + (big_endian_ ? ", big-endian" : ""),
                            .color = as_ == ReadAs::light ? color : std::string(kAsStored),
                            .oddities = std::move(oddities_),
-                           .is_converted = format.type == SampleType::srgb8};
+                           .is_converted = hasSrgbCurve(format)};
   }
 
  private:

@@ -206,7 +206,7 @@ Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFo
 /// What the descriptor and the format say of colours that are read as numbers.
 std::string spaceStatedBy(const StoredFormat& format, const DescribedColor& color) {
   if (color.has_other_curve) return "a transfer function of its own";
-  const bool is_srgb = color.srgb || format.type == SampleType::srgb8;
+  const bool is_srgb = color.srgb || hasSrgbCurve(format);
   const std::string space = statedSpace(
       {.transfer = is_srgb ? Transfer::srgb : Transfer::linear, .primaries = color.primaries}, imageChannels(format));
   return space.empty() && is_srgb ? "sRGB" : space;
@@ -232,7 +232,7 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, ReadAs as) {
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, std::size_t(header.key_values.begin),
                                           std::size_t(header.key_values.size), false));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format));
-  bool is_converted = format.type == SampleType::srgb8;
+  bool is_converted = hasSrgbCurve(format);
   forEachImage(images, [&](Image& image) {
     if (as == ReadAs::light) is_converted |= convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);

@@ -9,7 +9,7 @@
 namespace mirrorball {
 
 /// What the light of a picture shows about its form, where only its shape says it. Each looks at no more than some ten
-/// thousand texels, whatever the size.
+/// thousand texels, whatever the size, but settleByContent(), which goes through a square of one colour as a whole.
 
 /// Whether a square holds one disc that reaches to its sides, black outside: the picture of a ball, or a light probe.
 bool showsDisc(const Image& picture);

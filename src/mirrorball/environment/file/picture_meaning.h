@@ -44,11 +44,11 @@ struct StereoEye {
 StereoEye chooseEye(const Image& picture, const Metadata& metadata, const std::optional<PhotoSphere>& sphere,
                     const FormHint& hint);
 
+/// Whether chooseEye() needs the picture's light.
+bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint);
+
 /// The size of the panorama, 2:1, of which a squeezed half loses nothing.
 glm::ivec2 stretchedSize(glm::ivec2 half);
-
-/// Whether that needs the picture's light.
-bool mayBeStereo(glm::ivec2 size, const std::optional<PhotoSphere>& sphere, const FormHint& hint);
 
 /// Decides by the hint, then by the file's own metadata, then by the Photo Sphere that the file says it is, then by the
 /// picture's shape.

@@ -67,9 +67,6 @@ std::optional<unsigned> escapedUnit(std::string_view text) {
   return unit;
 }
 
-bool isFirstOfPair(unsigned unit) { return unit >= 0xD800 && unit < 0xDC00; }
-bool isSecondOfPair(unsigned unit) { return unit >= 0xDC00 && unit < 0xE000; }
-
 /// How long the escape is with which a text begins; 0: it is none of JSON's.
 std::size_t escapeSize(std::string_view text) {
   if (text.size() > 1 && std::string_view("\"\\/bfnrt").find(text[1]) != std::string_view::npos) return 2;

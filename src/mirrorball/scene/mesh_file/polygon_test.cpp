@@ -185,7 +185,7 @@ TEST(Triangulate, PolygonsMayBeOfAnySize) {
   }
 }
 
-TEST(Triangulate, MakesAFanOfAHugePolygon) {
+TEST(Triangulate, FillsACircleOfManyCorners) {
   std::vector<glm::vec3> circle;
   for (int i = 0; i < 5000; ++i) {
     const double angle = i * 6.283185307179586 / 5000;

@@ -80,13 +80,17 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   return interpolated(direction, interpolation).radiance;
 }
 
+/// panoramaRowBends between the two rows around y; 0 unless it is a panorama.
+float EnvironmentMap::rowBendAt(float y) const {
+  const float rows = y + 0.5f;  // from the centre of the row before the first
+  const bool has_bend = rows >= 0.0f && rows < static_cast<float>(row_bends_.size());
+  return has_bend ? row_bends_[static_cast<std::size_t>(rows)] : 0.0f;
+}
+
 /// Where bilinear interpolation looks up a position, for each row of a panorama to keep its light.
 glm::vec2 EnvironmentMap::keepingLightOfRows(glm::vec2 position) const {
-  const float rows = position.y + 0.5f;  // from the centre of the row before the first
-  if (row_bends_.empty() || !(rows >= 0.0f && rows < static_cast<float>(row_bends_.size()))) return position;
-  const float border = std::floor(rows);
-  const float t = rows - border;
-  return {position.x, position.y + row_bends_[static_cast<std::size_t>(border)] * t * (1.0f - t)};
+  const float t = glm::fract(position.y - 0.5f);
+  return {position.x, position.y + rowBendAt(position.y) * t * (1.0f - t)};
 }
 
 /// Bilinear, where all four texels are the image's own. What a half of a sphere does not show lies at its edge, and so
@@ -122,12 +126,15 @@ EnvironmentMap::Interpolated EnvironmentMap::betweenTexels(int face_index, glm::
     if (texel.w > 0.0f) include(all, glm::vec3(texel));
     return texel;
   };
-  if (interpolation == Interpolation::bilinear) position = keepingLightOfRows(position);
-  glm::vec4 light = interpolate(interpolation, position, fetch_texel);
+  const auto interpolatedAt = [&](glm::vec2 place) {
+    return interpolation == Interpolation::bicubic ? bicubic(place, fetch_texel, rowBendAt(place.y))
+                                                   : bilinear(keepingLightOfRows(place), fetch_texel);
+  };
+  glm::vec4 light = interpolatedAt(position);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
   while (light.w == 0.0f) {
     position += glm::normalize(glm::vec2(extent_) / 2.0f - position) * 0.5f;
-    light = interpolate(interpolation, position, fetch_texel);
+    light = interpolatedAt(position);
   }
   return {glm::vec3(light), all};
 }

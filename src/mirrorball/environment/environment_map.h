@@ -76,6 +76,7 @@ class EnvironmentMap {
   Interpolated interpolated(glm::vec3 direction, Interpolation interpolation) const;
 
  private:
+  float rowBendAt(float y) const;
   glm::vec2 keepingLightOfRows(glm::vec2 position) const;
   std::optional<glm::vec3> insideImage(int face, glm::vec2 position) const;
   glm::vec4 fetch(int face, int x, int y) const;

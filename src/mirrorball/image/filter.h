@@ -87,7 +87,10 @@ struct LimitedCubic {
 /// zero.
 ///
 /// max_share   of its deviation from the straight line that may be kept
-inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f) {
+/// line_bend   what takes the straight line's place is at t + line_bend · t (1 − t) on it: where texels grow from one to
+///             the next, as a panorama's rows do, a straight line would give the light of one to the other
+inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f,
+                                 float line_bend = 0.0f) {
   const auto& [before, first, second, after] = texels;
   const glm::vec3 half_slope = 0.5f * (second - first);
   const glm::vec3 from_first = before - first;
@@ -95,7 +98,6 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
   const glm::vec3 bend = 0.5f * from_first + half_slope;
   const glm::vec3 next_bend = 0.5f * from_second - half_slope;
   const float arch = t - t * t;
-  const glm::vec3 straight = first + t * (second - first);
   const glm::vec3 change = -arch * ((1.0f - t) * bend + t * next_bend);
 
   const TexelRange both{glm::min(first, second), glm::max(first, second)};
@@ -103,11 +105,12 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
     return shareByContrast({glm::min(both.min, glm::min(one, other)), glm::max(both.max, glm::max(one, other))});
   };
   const float share = max_share * shareAmong(before, after);
+  const glm::vec3 line = first + (t + (1.0f - share) * line_bend * arch) * (second - first);
   const glm::vec3 trough = glm::max(glm::min(glm::min(bend, next_bend), glm::min(from_first, from_second)), 0.0f);
   const glm::vec3 peak = -glm::min(glm::max(glm::max(bend, next_bend), glm::max(from_first, from_second)), 0.0f);
   const TexelRange range{glm::max(both.min - 2.0f * arch * trough, glm::min(both.min, 0.0f)),
                          both.max + 2.0f * arch * peak};
-  return {glm::clamp(straight + share * change, range.min, range.max),
+  return {glm::clamp(line + share * change, range.min, range.max),
           shareAmong(first + (1.0f - t) * from_first, second + t * from_second)};
 }
 
@@ -116,10 +119,11 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
 ///
 /// fetch    as in bilinear, up to two texels outside the image. Where one of the 16 texels has the weight 0 the answer
 ///          is bilinear's, since a cubic needs them all.
+/// row_bend limitedCubic's line_bend, down the columns
 /// returns  the colour and 1. Grey texels give grey; nothing is darker or brighter than the texels around, except at
 ///          smooth peaks, by at most a quarter of the smaller second difference.
 template <typename Fetch>
-glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
+glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch, float row_bend = 0.0f) {
   const float left = std::floor(position.x - 0.5f);
   const float top = std::floor(position.y - 0.5f);
   std::array<glm::vec3, 4> columns;
@@ -132,16 +136,11 @@ glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
       if (texel.w == 0.0f) return bilinear(position, fetch);
       column[j] = glm::vec3(texel);
     }
-    const LimitedCubic down = limitedCubic(column, position.y - 0.5f - top);
+    const LimitedCubic down = limitedCubic(column, position.y - 0.5f - top, 1.0f, row_bend);
     columns[i] = down.light;
     min_share = std::min(min_share, down.crossing_share);
   }
   return glm::vec4(limitedCubic(columns, position.x - 0.5f - left, min_share).light, 1.0f);
-}
-
-template <typename Fetch>
-glm::vec4 interpolate(Interpolation interpolation, glm::vec2 position, Fetch&& fetch) {
-  return interpolation == Interpolation::bicubic ? bicubic(position, fetch) : bilinear(position, fetch);
 }
 
 }  // namespace mirrorball

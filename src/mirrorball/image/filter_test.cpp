@@ -46,6 +46,13 @@ TEST(Bicubic, APeakBetweenTexelsRisesAboveThem) {
   EXPECT_NEAR(atColumn(5.0f, peak), 2.0f, 1e-6f);
 }
 
+TEST(Bicubic, TheLineAcrossAStepBends) {
+  const auto step = [](int, int y) { return glm::vec4(glm::vec3(y < 3 ? 1000.0f : 0.0f), 1.0f); };
+  EXPECT_NEAR(bicubic({3.0f, 3.0f}, step, 0.2f).x, 1000.0f * (1.0f - (0.5f + 0.2f / 4.0f)), 1e-3f);
+  const auto ramp = [](int, int y) { return glm::vec4(glm::vec3(10.0f + static_cast<float>(y)), 1.0f); };
+  EXPECT_NEAR(bicubic({3.0f, 3.0f}, ramp, 0.2f).x, 12.5f, 1e-5f);  // of little contrast: the cubic
+}
+
 TEST(Bicubic, IsBilinearWhereATexelIsMissing) {
   const auto fetch = [](int x, int y) { return glm::vec4(glm::vec3(static_cast<float>(x + y)), x < 5 ? 1.0f : 0.0f); };
   const glm::vec2 position(4.2f, 3.7f);

@@ -66,14 +66,10 @@ struct MapTexels {
     return {{-reach.first, rows.begin - reach.first}, {width - reach.last - 2, rows.end - reach.last - 1}};
   }
 
-  /// EnvironmentMap::keepingLightOfRows.
+  /// EnvironmentMap::rowBendAt.
   ///
   /// y   the texel left above
-  /// t   from its centre to those of the next
-  glm::vec2 keepingLightOfRows(int y, glm::vec2 t) const {
-    if (row_bends.empty()) return t;
-    return {t.x, t.y + row_bends[static_cast<std::size_t>(y + 1)] * t.y * (1.0f - t.y)};
-  }
+  float rowBend(int y) const { return row_bends.empty() ? 0.0f : row_bends[static_cast<std::size_t>(y + 1)]; }
 
   /// Whether none of the texels lies beside a disc, and those for a cubic lie in one smooth region.
   bool isOnOneChart(int x, int y, Reach reach) const {
@@ -163,7 +159,8 @@ V shareBelow(D d, float whole, V contrast) {
 ///
 /// contrast   rises to that of these texels, if they have much
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V share, V& crossing_share, V& contrast) {
+HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V share, V line_bend, V& crossing_share,
+                          V& contrast) {
   const V zero = hn::Zero(d);
   const V half = hn::Set(d, 0.5f);
   const V slope = hn::Sub(second, first);
@@ -174,18 +171,19 @@ HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V shar
   const V next_bend = hn::MulSub(half, from_second, half_slope);
   const V arch = hn::NegMulAdd(t, t, t);
   const V rest = hn::Sub(hn::Set(d, 1.0f), t);
-  const V straight = hn::MulAdd(t, slope, first);
   const V change = hn::Mul(hn::Neg(arch), hn::MulAdd(t, next_bend, hn::Mul(rest, bend)));
 
   const V min = hn::Min(first, second);
   const V max = hn::Max(first, second);
   const V darkest = hn::Min(min, hn::Min(before, after));
   const V brightest = hn::Max(max, hn::Max(before, after));
+  V place = t;
   // Most texels have so little contrast, which is quickly seen.
   if (!hn::AllTrue(d, brightest <= hn::Mul(darkest, hn::Set(d, 8.0f)))) {
     const V along = contrastOf(d, darkest, brightest);
     contrast = hn::Max(contrast, along);
     share = hn::Mul(share, shareBelow(d, kCubicContrast, along));
+    place = hn::MulAdd(hn::Mul(hn::Sub(hn::Set(d, 1.0f), share), line_bend), arch, t);
     const V near_before = hn::MulAdd(rest, from_first, first);
     const V near_after = hn::MulAdd(t, from_second, second);
     const V crossing =
@@ -197,7 +195,8 @@ HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V shar
   const V twice = hn::Add(arch, arch);
   const V lowest = hn::Max(hn::NegMulAdd(twice, trough, min), hn::Min(min, zero));
   const V highest = hn::NegMulAdd(twice, peak, max);
-  return hn::Min(hn::Max(hn::MulAdd(share, change, straight), lowest), highest);
+  const V line = hn::MulAdd(place, slope, first);
+  return hn::Min(hn::Max(hn::MulAdd(share, change, line), lowest), highest);
 }
 
 /// `bicubic` of image/filter.h for several points at a time: down the columns point by point, four texels side by side;
@@ -207,12 +206,14 @@ class BicubicInside {
   BicubicInside(std::size_t channels, std::size_t row)
       : channels_(channels), row_(row), loaded_(hn::FirstN(Texels(), channels * kTexels)), order_(orderOf(channels)) {}
 
-  /// corner   the first of the point's 16 texels
-  /// t        where among the inner four it lies
-  /// index    of the point in the batch
-  void add(const float* corner, glm::vec2 t, std::size_t index) {
+  /// corner     the first of the point's 16 texels
+  /// t          where among the inner four it lies
+  /// row_bend   MapTexels::rowBend
+  /// index      of the point in the batch
+  void add(const float* corner, glm::vec2 t, float row_bend, std::size_t index) {
     const Texels d;
     const auto down = hn::Set(d, t.y);
+    const auto line_bend = hn::Set(d, row_bend);
     const auto whole = hn::Set(d, 1.0f);
     auto share = whole;
     auto contrast = whole;
@@ -221,7 +222,7 @@ class BicubicInside {
       const float* top = corner + column * channels_;
       auto crossing_share = whole;
       const auto light = limitedCubic(d, load(top), load(top + row_), load(top + 2 * row_), load(top + 3 * row_), down,
-                                      whole, crossing_share, contrast);
+                                      whole, line_bend, crossing_share, contrast);
       hn::Store(light, d, columns.data() + column * 4);
       share = hn::Min(share, crossing_share);
     }
@@ -245,8 +246,9 @@ class BicubicInside {
       const auto share = hn::Load(d, shares_.data() + 4 * begin);
       auto contrast = hn::Set(d, 1.0f);
       auto crossing_share = share;  // by nothing
-      hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, crossing_share, contrast), d,
-                answers.data());
+      hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, hn::Zero(d), crossing_share,
+                             contrast),
+                d, answers.data());
       const Texel one;
       const bool is_smooth = hn::AllTrue(d, contrast == hn::Set(d, 1.0f));
       if (!is_smooth) hn::Store(contrast, d, across_contrasts.data());
@@ -359,11 +361,14 @@ void sampleInside(const MapTexels& map, Interpolation interpolation, const Point
     if (later < count && cells.is_readable[later] != 0) prefetch(cornerOf(later), channels, row, reach);
     inside[i] = cells.is_readable[i] != 0 && map.isOnOneChart(cells.x[i], cells.y[i], reach);
     if (!inside[i]) continue;
-    const glm::vec2 t(cells.tx[i], cells.ty[i]);
-    if (interpolation == Interpolation::bicubic)
-      bicubic_inside.add(cornerOf(i), t, i);
-    else
-      bilinearInside(cornerOf(i), channels, row, map.keepingLightOfRows(cells.y[i], t), light[i]);
+    glm::vec2 t(cells.tx[i], cells.ty[i]);
+    const float row_bend = map.rowBend(cells.y[i]);
+    if (interpolation == Interpolation::bicubic) {
+      bicubic_inside.add(cornerOf(i), t, row_bend, i);
+    } else {
+      t.y += row_bend * t.y * (1.0f - t.y);  // EnvironmentMap::keepingLightOfRows
+      bilinearInside(cornerOf(i), channels, row, t, light[i]);
+    }
   }
   bicubic_inside.finish(light);
 }

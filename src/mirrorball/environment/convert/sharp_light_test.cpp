@@ -184,7 +184,8 @@ TEST_P(SharpLight, KeepsTheFluxOfASunAtEveryRatio) {
   }
 }
 
-// With plain bilinear weights the first row of a panorama gained 8 %, the second 1.5 %.
+// With plain bilinear weights the first row of a panorama gained 8 %, the second 1.5 %. Each target texel looks up its
+// centre alone: four of them a texel of the source sum a kinked line to 0.8 % of its integral.
 TEST(SharpLightAtThePole, ARowKeepsItsFlux) {
   for (const int height : {8, 64, 192})
     for (const int row : {0, 1, 2, height / 2, height - 1}) {
@@ -192,7 +193,7 @@ TEST(SharpLightAtThePole, ARowKeepsItsFlux) {
       for (int x = 0; x < 2 * height; ++x) setLight(panorama, 0, x, row, kSun);
       for (const Projection projection : {Projection::cube, Projection::octahedral, Projection::equirect}) {
         const EnvironmentMap converted = *convert(Environment(panorama), projection, sizeOf(projection, 4 * height));
-        EXPECT_NEAR(testing::fluxOf(converted) / testing::fluxOf(panorama), 1.0, 0.005)
+        EXPECT_NEAR(testing::fluxOf(converted) / testing::fluxOf(panorama), 1.0, 0.01)
             << textOf(projection) << ", row " << row << " of " << height;
       }
     }

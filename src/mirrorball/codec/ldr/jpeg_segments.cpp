@@ -63,6 +63,14 @@ JpegHeader jpegHeader(JpegBytes jpeg) {
   }
 }
 
+JpegBytes frameHeader(const JpegHeader& header) {
+  constexpr std::size_t kFrameSize = 6;  // of its fields before those of the components
+  const auto frame = std::find_if(header.segments.begin(), header.segments.end(), [](const JpegSegment& segment) {
+    return beginsFrame(segment.marker) && segment.data.size() >= kFrameSize;
+  });
+  return frame == header.segments.end() ? JpegBytes() : frame->data;
+}
+
 std::size_t endOfJpeg(JpegBytes jpeg) {
   std::size_t end = jpegHeader(jpeg).end;
   for (;;) {
@@ -89,13 +97,9 @@ std::optional<std::size_t> segmentBetweenScans(JpegBytes jpeg, std::size_t befor
 }
 
 Result<std::optional<Bytes>> withHeightInHeader(JpegBytes jpeg) {
-  constexpr std::size_t kFrameSize = 6;  // of its fields before those of the components
-  constexpr std::size_t kHeight = 1;     // behind the bits of a sample
   const JpegHeader header = jpegHeader(jpeg);
-  const auto frame = std::find_if(header.segments.begin(), header.segments.end(), [](const JpegSegment& segment) {
-    return beginsFrame(segment.marker) && segment.data.size() >= kFrameSize;
-  });
-  if (frame == header.segments.end() || bigU16(frame->data.data() + kHeight) != 0) return std::nullopt;
+  const JpegBytes frame = frameHeader(header);
+  if (frame.empty() || bigU16(&frame[kJpegFrameHeight]) != 0) return std::nullopt;
   for (std::size_t end = header.end;;) {
     const std::size_t at = nextMarker(jpeg, end);
     if (at >= jpeg.size())
@@ -106,7 +110,7 @@ Result<std::optional<Bytes>> withHeightInHeader(JpegBytes jpeg) {
     const JpegBytes data = dataAt(jpeg, at);
     if (jpeg[at] == kNumberOfLines && data.size() == 2) {
       Bytes stated(jpeg.begin(), jpeg.end());
-      std::copy(data.begin(), data.end(), stated.begin() + (frame->data.data() - jpeg.data()) + kHeight);
+      std::copy(data.begin(), data.end(), stated.begin() + (frame.data() - jpeg.data()) + kJpegFrameHeight);
       return stated;
     }
     end += 2 + data.size();

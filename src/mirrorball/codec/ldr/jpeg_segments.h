@@ -39,6 +39,15 @@ struct JpegHeader {
 /// from     ITU-T T.81, B.1.1 (markers, fill bytes) and B.2 (what has a length)
 JpegHeader jpegHeader(std::span<const std::uint8_t> jpeg);
 
+/// The data of the first frame header that holds a picture's size, which is at the places below; of no bytes where
+/// there is none.
+///
+/// from     ITU-T T.81, B.2.2
+std::span<const std::uint8_t> frameHeader(const JpegHeader& header);
+
+inline constexpr std::size_t kJpegFrameHeight = 1;  // behind the bits of a sample
+inline constexpr std::size_t kJpegFrameWidth = 3;
+
 /// Where that JPEG ends: behind its end marker.
 ///
 /// returns  the number of bytes where there is none

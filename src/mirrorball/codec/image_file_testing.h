@@ -30,6 +30,8 @@ class FolderTest : public ::testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
   const std::filesystem::path folder_ = fresh();
 
  private:

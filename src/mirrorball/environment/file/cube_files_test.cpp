@@ -8,9 +8,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
@@ -24,12 +24,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class CubeFilesTest : public ::testing::Test {
+class CubeFilesTest : public testing::FolderTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   /// Six files of smooth light as Quake has them: sky_rt.exr sky_lf.exr sky_up.exr sky_dn.exr sky_ft.exr sky_bk.exr.
   void writeSky() const {
     const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 64), Projection::cube, kSide);
@@ -42,8 +38,6 @@ class CubeFilesTest : public ::testing::Test {
   }
 
   static constexpr int kSide = 64;
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / ("mirrorball_cube_files_test_" + std::to_string(::getpid()));
 };
 
 TEST_F(CubeFilesTest, AMissingBottomIsFilledAndRemarked) {

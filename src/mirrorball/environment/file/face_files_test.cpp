@@ -5,9 +5,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_file_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -15,11 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-class FaceFilesTest : public ::testing::Test {
+class FaceFilesTest : public testing::FolderTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void touch(const std::vector<std::string>& names) const {
     for (const std::string& name : names) std::ofstream(folder_ / name) << "x";
   }
@@ -32,9 +29,6 @@ class FaceFilesTest : public ::testing::Test {
       for (const fs::path& path : files->paths) names += (names.empty() ? "" : " ") + path.filename().string();
     return names;
   }
-
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / ("mirrorball_face_files_test_" + std::to_string(::getpid()));
 };
 
 TEST_F(FaceFilesTest, EveryNamingIsKnown) {

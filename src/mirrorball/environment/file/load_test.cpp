@@ -9,10 +9,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
@@ -35,13 +35,7 @@ CubeArrangement arrangementOf(std::string_view word) {
   return word == "turn=" ? CubeArrangement{} : *rearranged(CubeArrangement{}, word);
 }
 
-class LoadTest : public ::testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  const fs::path folder_ = fs::path(::testing::TempDir()) / ("mirrorball_load_test_" + std::to_string(::getpid()));
-};
+class LoadTest : public testing::FolderTest {};
 
 TEST_F(LoadTest, AFileIsReadAndRecognised) {
   ASSERT_TRUE(writeImage(path("a.exr"), Image(8, 4, 3, 2.0f)));

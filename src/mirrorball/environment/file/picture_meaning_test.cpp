@@ -9,8 +9,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/picture_window.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/environment_testing.h"
@@ -222,25 +222,19 @@ TEST(PictureMeaning, TheRemarkOnAWindowIsKnownByItsWords) {
 }
 
 /// Files of grey panoramas, which are read by rows where they need not be completed.
-class CompletedPanoramaTest : public ::testing::Test {
+class CompletedPanoramaTest : public testing::FolderTest {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// A Radiance picture, with a packet in a comment of its header.
   std::string panorama(glm::ivec2 size, const std::string& attributes = "") const {
-    const std::string path = (folder_ / "map.hdr").string();
-    EXPECT_TRUE(writeImage(path, Image(size.x, size.y, 3, 0.5f)));
-    Bytes bytes = *readFile(path);
+    const std::string map = path("map.hdr");
+    EXPECT_TRUE(writeImage(map, Image(size.x, size.y, 3, 0.5f)));
+    Bytes bytes = *readFile(map);
     const std::string comment = "# " + packetWith(attributes) + "\n";
     const auto behind_first_line = std::find(bytes.begin(), bytes.end(), '\n') + 1;
     bytes.insert(behind_first_line, comment.begin(), comment.end());
-    EXPECT_TRUE(writeFile(path, bytes));
-    return path;
+    EXPECT_TRUE(writeFile(map, bytes));
+    return map;
   }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / ("mirrorball_completed_test_" + std::to_string(::getpid()));
 };
 
 TEST_F(CompletedPanoramaTest, RowsAreReadOnlyOfWhatStaysAsItIs) {

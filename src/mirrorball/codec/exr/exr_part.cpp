@@ -118,13 +118,12 @@ int ExrPart::missingRows() const {
   return count;
 }
 
-std::string ExrPart::missingRowsRemark() const {
-  const int missing = missingRows();
-  if (missing == 0) return {};
-  int lower = 0;  // of them that stand below all others; or above, where lines are stored from below
+std::string ExrPart::rowsRemark() const {
+  if (is_missing_.empty()) return {};
   const bool is_from_top = header().lineOrder() != Imf::DECREASING_Y;
-  while (lower < missing && isMissing(is_from_top ? height() - 1 - lower : lower)) ++lower;
-  return lower == missing ? earlyEndText(std::size_t(missing)) : unfinishedText(std::size_t(missing));
+  std::vector<std::uint8_t> in_file;
+  for (int row = 0; row < height(); ++row) in_file.push_back(isMissing(is_from_top ? row : height() - 1 - row) ? 1 : 0);
+  return missingRowsRemark(in_file);
 }
 
 int ExrPart::channels() const {

@@ -54,7 +54,7 @@ class ExrPart {
     to.layer = layer().name;
     if (layers_.size() > 1) to.layers = pictureLayers(layers_);
     to.is_layer_guessed = choice_.is_guessed;
-    for (const std::string& oddity : {choice_.oddity, window_.oddity, missingRowsRemark()})
+    for (const std::string& oddity : {choice_.oddity, window_.oddity, rowsRemark()})
       if (!oddity.empty()) to.oddities.push_back(oddity);
   }
 
@@ -73,7 +73,7 @@ class ExrPart {
   /// Of the picture, counted from its top.
   bool isMissing(int row) const;
   int missingRows() const;
-  std::string missingRowsRemark() const;
+  std::string rowsRemark() const;
   void readWholeRows(int first, int count, float* samples) const;
   void readInto(float* texels, const Imath::Box2i& rows) const;
 

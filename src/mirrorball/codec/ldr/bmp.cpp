@@ -315,8 +315,7 @@ Result<Image8> readBmpPicture(const BmpHeader& header, Span bytes, std::vector<s
   } else {
     fillFromMasks(header, rows, picture);
   }
-  blackenMissingRows(picture, count, header.from_top);
-  if (count < picture.height()) oddities.push_back(earlyEndText(std::size_t(picture.height() - count)));
+  blackenMissingRows(picture, count, header.from_top, oddities);
   return picture;
 }
 

@@ -107,10 +107,7 @@ std::size_t JpegDamage::missingRows() const {
   return static_cast<std::size_t>(std::count(is_missing_.begin(), is_missing_.end(), std::uint8_t{1}));
 }
 
-void JpegDamage::blacken(Image8& picture) const {
-  for (int y = 0; y < picture.height(); ++y)
-    if (is_missing_[std::size_t(y)] != 0) blackenRow(picture, y);
-}
+void JpegDamage::blacken(Image8& picture) const { blackenRows(picture, is_missing_); }
 
 std::string JpegDamage::cause() const {
   return message_[0] == '\0' ? "its data end within its first row of blocks" : excerpt(message_, kLongestText);

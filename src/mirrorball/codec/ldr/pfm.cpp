@@ -69,8 +69,7 @@ Result<DecodedImage> decodePfm(Span bytes) {
       sample = bitCast<float>(scale < 0.0f ? littleU32(from) : bigU32(from)) * (is_alpha ? 1.0f : std::abs(scale));
       from += sizeof(float);
     }
-  blackenMissingRows(image, rows, /*from_top=*/false);
-  if (rows < image.height()) oddities.push_back(earlyEndText(std::size_t(image.height() - rows)));
+  blackenMissingRows(image, rows, /*from_top=*/false, oddities);
   std::string format =
       std::string(channels == 4 ? "PFM with alpha, " : "PFM, ") + (scale < 0.0f ? "little" : "big") + "-endian";
   if (std::abs(scale) != 1.0f) format += ", scaled by " + formatNumber(static_cast<double>(std::abs(scale)));

@@ -215,7 +215,6 @@ Result<void> takeRowsOfEarlyEnd(const PngReader& reader, bool decoded, Pixels& p
     pixels.oddities.emplace_back("ends before its last pass: it is coarser than it was meant to be");
   } else {
     pixels.rows = at.row;
-    pixels.oddities.push_back(earlyEndText(std::size_t(pixels.height - at.row)));
   }
   return {};
 }
@@ -284,7 +283,8 @@ Result<CodedFile> decodePng(std::span<const std::uint8_t> bytes, CodeForm form) 
                             : makePlace(codes.emplace<ImageOf<std::uint16_t>>(), pixels);
   };
   MIRRORBALL_TRY(pixels, readPixels(bytes, form, memory));
-  for (int y = pixels.rows; y < pixels.height; ++y) std::visit([y](auto& picture) { blackenRow(picture, y); }, codes);
+  std::visit([&](auto& picture) { blackenMissingRows(picture, pixels.rows, /*from_top=*/true, pixels.oddities); },
+             codes);
   return CodedFile{.codes = std::move(codes),
                    .color = std::move(pixels.color),
                    .orientation = pixels.exif.orientation,

@@ -188,8 +188,7 @@ Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes, std::vecto
     }
   }
   if (y == 0) return endsInFirstRow(bytes.size());
-  blackenMissingRows(image, y, /*from_top=*/true);
-  if (y < header.height) oddities.push_back(earlyEndText(std::size_t(header.height - y)));
+  blackenMissingRows(image, y, /*from_top=*/true, oddities);
   return CodedPicture(std::move(image));
 }
 

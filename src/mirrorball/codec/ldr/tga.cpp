@@ -128,7 +128,8 @@ class TgaReader {
  public:
   TgaReader(Span bytes, const TgaHeader& header) : bytes_(bytes), header_(header) {}
 
-  Result<CodedPicture> read() {
+  /// oddities   receives the remark on rows that are missing
+  Result<CodedPicture> read(std::vector<std::string>& oddities) {
     MIRRORBALL_TRY_VOID(check());
     MIRRORBALL_TRY_VOID(unpack());
     readPalette();
@@ -144,7 +145,7 @@ class TgaReader {
         std::copy_n(color.begin(), channels, picture.texel(x, shownRow(row)));
         max_alpha = std::max(max_alpha, color[3]);
       }
-    blackenMissingRows(picture, rows_, header_.from_top);
+    blackenMissingRows(picture, rows_, header_.from_top, oddities);
     // Some programs say that there is alpha and leave it at 0, which would make the whole picture invisible.
     if (has_alpha && max_alpha == 0)
       for (std::size_t i = 3; i < picture.samples().size(); i += 4) picture.samples()[i] = 255;
@@ -152,9 +153,6 @@ class TgaReader {
     if (alpha == AlphaType::premultiplied) makeStraight(coded);
     return coded;
   }
-
-  /// Of those that the file should hold.
-  int missingRows() const { return header_.height - rows_; }
 
  private:
   std::uint32_t colorBits() const { return header_.kind == Kind::palette ? header_.palette_bits : header_.bits; }
@@ -243,14 +241,12 @@ bool isTga(Span bytes) { return hasFooter(bytes) || readTgaHeader(bytes); }
 Result<CodedFile> decodeTga(Span bytes, CodeForm) {
   const auto header = readTgaHeader(bytes);
   if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
-  TgaReader reader(bytes, *header);
-  MIRRORBALL_TRY(codes, reader.read());
+  std::vector<std::string> oddities;
+  MIRRORBALL_TRY(codes, TgaReader(bytes, *header).read(oddities));
   std::string format = "TGA, " + std::to_string(header->bits) + " bit";
   if (header->kind == Kind::palette) format += " palette";
   if (header->is_run_length_coded) format += ", RLE";
-  CodedFile file{.codes = std::move(codes), .format = std::move(format)};
-  if (reader.missingRows() > 0) file.oddities.push_back(earlyEndText(std::size_t(reader.missingRows())));
-  return file;
+  return CodedFile{.codes = std::move(codes), .format = std::move(format), .oddities = std::move(oddities)};
 }
 
 }  // namespace mirrorball

@@ -70,11 +70,8 @@ Result<Image8> readWebpPicture(Span bytes, CodeForm form, WebPBitstreamFeatures&
   const bool is_cut = decoded == VP8_STATUS_NOT_ENOUGH_DATA || decoded == VP8_STATUS_SUSPENDED;
   const int rows = is_cut ? decodeRowsThere(bytes, config) : 0;
   if (rows == 0) return webpFailure(decoded, bytes.size());
-  blackenMissingRows(picture, rows, /*from_top=*/true);
-  if (rows < picture.height())
-    oddities.push_back(earlyEndText(std::size_t(picture.height() - rows)));
-  else
-    oddities.emplace_back("lacks its end; all of its rows are there");
+  blackenMissingRows(picture, rows, /*from_top=*/true, oddities);
+  if (rows == picture.height()) oddities.emplace_back("lacks its end; all of its rows are there");
   return picture;
 }
 

@@ -149,9 +149,7 @@ Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layou
       }
     }
   }));
-  const std::vector<std::uint8_t> is_missing = layout.missingRows();
-  for (std::size_t y = 0; y < is_missing.size(); ++y)
-    if (is_missing[y] != 0) blackenRow(image, static_cast<int>(y));
+  blackenRows(image, layout.missingRows());
   return image;
 }
 
@@ -290,17 +288,9 @@ Result<CodedPicture> inItsPlace(CodedPicture page, const TiffLayout& layout) {
       page);
 }
 
-void tellMissingRows(const TiffLayout& layout, std::vector<std::string>& oddities) {
-  const std::vector<std::uint8_t> is_missing = layout.missingRows();
-  const auto count = static_cast<std::size_t>(std::count(is_missing.begin(), is_missing.end(), std::uint8_t{1}));
-  if (count == 0) return;
-  const auto first = std::find(is_missing.begin(), is_missing.end(), std::uint8_t{1});
-  const bool are_last = static_cast<std::size_t>(is_missing.end() - first) == count;
-  oddities.push_back(are_last ? earlyEndText(count) : unfinishedText(count));
-}
-
 void tellPlace(const TiffLayout& layout, std::vector<std::string>& oddities) {
-  tellMissingRows(layout, oddities);
+  if (std::string remark = missingRowsRemark(layout.missingRows()); !remark.empty())
+    oddities.push_back(std::move(remark));
   if (layout.window.part && !placeIn(layout))
     oddities.emplace_back("is a part of a larger picture, and not stored upright: read without the rest");
   else if (!layout.window.oddity.empty())

@@ -25,17 +25,24 @@ struct Square {
   glm::ivec2 corner;
   int side;
 
+  /// Calls visit(texel) with texels counted from the corner.
+  ///
+  /// most_rows  of the grid, which has as many columns
+  template <typename Visit>
+  void forEachTexel(int most_rows, Visit&& visit) const {
+    const int count = std::min(side, most_rows);
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i) visit(glm::ivec2((glm::dvec2(i, j) + 0.5) / double(count) * double(side)));
+  }
+
   /// Calls visit(place, brightness) with places in [-1, 1]² about the middle.
   template <typename Visit>
   void forEachSample(Visit&& visit) const {
     constexpr int kMostSamples = 128;
-    const int count = std::min(side, kMostSamples);
-    for (int j = 0; j < count; ++j)
-      for (int i = 0; i < count; ++i) {
-        const glm::ivec2 texel((glm::dvec2(i, j) + 0.5) / double(count) * double(side));
-        const glm::vec2 place = (glm::vec2(texel) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f;
-        visit(place, brightness(picture, corner.x + texel.x, corner.y + texel.y));
-      }
+    forEachTexel(kMostSamples, [&](glm::ivec2 texel) {
+      const glm::vec2 place = (glm::vec2(texel) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f;
+      visit(place, brightness(picture, corner.x + texel.x, corner.y + texel.y));
+    });
   }
 };
 
@@ -139,6 +146,23 @@ bool areOfOwnDirections(std::array<std::vector<float>, 4> edges, float folds) {
   return 2.0 * moves > double(2.5f * folds + 0.1f) * light_of_all;
 }
 
+/// foldsAtEdges() of a square that shows no disc.
+bool edgesFold(const Image& picture) {
+  constexpr int kSmallest = 16, kMostSamples = 512;
+  if (picture.width() < kSmallest) return false;
+  const int count = std::min(picture.width(), kMostSamples) / 2 * 2;
+  std::array<std::vector<float>, 4> edges;
+  float all_folds = 0.0f;
+  for (int edge = 0; edge < 4; ++edge) {
+    const std::vector<float> light = lightAlongEdge(picture, edge, count);
+    const float fold = difference(light, {light.rbegin(), light.rend()});
+    if (fold > 0.25f) return false;
+    all_folds += fold;
+    edges[static_cast<std::size_t>(edge)] = light;
+  }
+  return areOfOwnDirections(edges, all_folds);
+}
+
 /// Square roots of the mean light in the cells of a part of a picture, by rows: a lamp counts less among them.
 std::vector<float> cellsIn(const Image& picture, glm::ivec2 corner, glm::ivec2 size, glm::ivec2 cells) {
   constexpr int kSamples = 4;  // a cell, along each side
@@ -158,17 +182,14 @@ std::vector<float> cellsIn(const Image& picture, glm::ivec2 corner, glm::ivec2 s
 }
 
 /// Whether a cell of a layout holds one colour, as far as a compressed picture can.
-bool isOfOneColour(const Image& picture, glm::ivec2 cell, int side) {
-  constexpr int kMostSamples = 32;
-  const int count = std::min(side, kMostSamples);
+bool isOfOneColour(const Square& cell) {
+  constexpr int kMostRows = 32;
   glm::vec3 sum(0.0f);
   std::vector<glm::vec3> colours;
-  for (int j = 0; j < count; ++j)
-    for (int i = 0; i < count; ++i) {
-      const glm::ivec2 texel = cell * side + glm::ivec2((glm::dvec2(i, j) + 0.5) / double(count) * double(side));
-      colours.push_back(rgbAt(picture, texel.x, texel.y));
-      sum += colours.back();
-    }
+  cell.forEachTexel(kMostRows, [&](glm::ivec2 texel) {
+    colours.push_back(rgbAt(cell.picture, cell.corner.x + texel.x, cell.corner.y + texel.y));
+    sum += colours.back();
+  });
   const glm::vec3 mean = sum / static_cast<float>(colours.size());
   float apart = 0.0f;
   for (const glm::vec3& colour : colours) apart += glm::length(colour - mean);
@@ -185,7 +206,7 @@ bool fillsCellsBeside(const Image& picture, CubeLayout layout) {
     for (int x = 0; x < cells.x; ++x) {
       bool is_face = false;
       for (int face = 0; face < 6; ++face) is_face = is_face || cellOf(layout, face) == glm::ivec2(x, y);
-      if (!is_face && isOfOneColour(picture, {x, y}, side)) return false;
+      if (!is_face && isOfOneColour({picture, glm::ivec2(x, y) * side, side})) return false;
     }
   return true;
 }
@@ -245,21 +266,7 @@ bool showsTwoDiscs(const Image& picture) {
   return picture.width() == 2 * side && holdsDisc({picture, {0, 0}, side}) && holdsDisc({picture, {side, 0}, side});
 }
 
-bool foldsAtEdges(const Image& picture) {
-  constexpr int kSmallest = 16, kMostSamples = 512;
-  if (picture.width() < kSmallest || showsDisc(picture)) return false;
-  const int count = std::min(picture.width(), kMostSamples) / 2 * 2;
-  std::array<std::vector<float>, 4> edges;
-  float all_folds = 0.0f;
-  for (int edge = 0; edge < 4; ++edge) {
-    const std::vector<float> light = lightAlongEdge(picture, edge, count);
-    const float fold = difference(light, {light.rbegin(), light.rend()});
-    if (fold > 0.25f) return false;
-    all_folds += fold;
-    edges[static_cast<std::size_t>(edge)] = light;
-  }
-  return areOfOwnDirections(edges, all_folds);
-}
+bool foldsAtEdges(const Image& picture) { return !showsDisc(picture) && edgesFold(picture); }
 
 std::optional<PictureHalf> equalHalves(const Image& picture) {
   const glm::ivec2 whole(picture.width(), picture.height());
@@ -292,7 +299,7 @@ Result<FormDoubt> settleByContent(const Image& picture, Recognition& recognition
   if (showsDisc(picture))
     return FormDoubt{"is square, with a disc on black: taken as a sphere map, a mirror ball seen from far away",
                      {"angular", "ball"}};
-  if (foldsAtEdges(picture)) {
+  if (edgesFold(picture)) {
     form.projection = Projection::equal_area;
     recognition.told_by += ", and how its edges fold";
     return FormDoubt{"is square, and its edges fold as an octahedron's: taken as pbrt's equal-area map",

@@ -7,9 +7,10 @@ namespace mirrorball {
 
 std::string_view halfName(PictureHalf half) { return kPictureHalfNames[static_cast<std::size_t>(half)]; }
 
+bool isUpperOrLower(PictureHalf half) { return half == PictureHalf::top || half == PictureHalf::bottom; }
+
 glm::ivec2 sizeOfHalf(glm::ivec2 picture, PictureHalf half) {
-  const bool is_upright = half == PictureHalf::top || half == PictureHalf::bottom;
-  return is_upright ? glm::ivec2(picture.x, picture.y / 2) : glm::ivec2(picture.x / 2, picture.y);
+  return isUpperOrLower(half) ? glm::ivec2(picture.x, picture.y / 2) : glm::ivec2(picture.x / 2, picture.y);
 }
 
 Image cutHalf(const Image& picture, PictureHalf half) {

@@ -19,6 +19,9 @@ inline constexpr std::array<std::string_view, 4> kPictureHalfNames{"top", "botto
 /// The name of a half.
 std::string_view halfName(PictureHalf half);
 
+/// Whether it is the upper or the lower one.
+bool isUpperOrLower(PictureHalf half);
+
 /// The size of a half of a picture; an odd row or column in the middle is left out.
 glm::ivec2 sizeOfHalf(glm::ivec2 picture, PictureHalf half);
 

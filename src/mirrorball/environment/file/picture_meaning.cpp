@@ -78,8 +78,7 @@ bool isSqueezed(glm::ivec2 picture, PictureHalf half, std::optional<PictureHalf>
     const Result<PanoramaPart> part = panoramaPartOfStrip(*sphere->area);
     if (part && !part->isWhole() && heightOfWhole(size, *part)) return false;
   }
-  const auto isUpright = [](PictureHalf one) { return one == PictureHalf::top || one == PictureHalf::bottom; };
-  return isNearlyWholePanorama(picture) || (stated && isUpright(*stated) == isUpright(half));
+  return isNearlyWholePanorama(picture) || (stated && isUpperOrLower(*stated) == isUpperOrLower(half));
 }
 
 /// half     the upper or the left one

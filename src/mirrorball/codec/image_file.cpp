@@ -166,8 +166,16 @@ Result<PictureCodes> decodeCodes(Span bytes) {
   });
 }
 
-Result<PictureFractions> decodeCodeFractions(Span bytes) {
-  return withinMemory<PictureFractions>([&]() -> Result<PictureFractions> {
+Result<std::variant<PictureCodes, PictureFractions>> decodeCodesOrFractions(Span bytes) {
+  using Picture = std::variant<PictureCodes, PictureFractions>;
+  return withinMemory<Picture>([&]() -> Result<Picture> {
+    {
+      MIRRORBALL_TRY(file, decodeCodedFile(bytes, CodeForm::rgba));
+      if (file.color.transfer != Transfer::linear) return asCodes(std::move(file));
+      const bool may_have_more_channels =
+          std::visit([](const auto& codes) { return codes.channels() == 4; }, file.codes);
+      if (!may_have_more_channels) return asFractions(std::move(file));
+    }
     MIRRORBALL_TRY(file, decodeCodedFile(bytes, CodeForm::stored));
     return asFractions(std::move(file));
   });

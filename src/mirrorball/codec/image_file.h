@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -155,8 +156,9 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// errors   as decodeImage's; unsupported: the file holds no integers
 Result<PictureCodes> decodeCodes(std::span<const std::uint8_t> bytes);
 
-/// Decodes it to fractions of the greatest code, with all its bits.
-Result<PictureFractions> decodeCodeFractions(std::span<const std::uint8_t> bytes);
+/// Decodes it to its codes, as decodeCodes does, or where they are proportional to light to their fractions of the
+/// greatest one, with all bits.
+Result<std::variant<PictureCodes, PictureFractions>> decodeCodesOrFractions(std::span<const std::uint8_t> bytes);
 
 /// The codes alone, for files that need no remark.
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);

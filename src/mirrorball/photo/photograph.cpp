@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_layers.h"
@@ -15,15 +16,27 @@ bool isOfCamera(const CodedColor& color) {
   return color.transfer == Transfer::srgb || color.transfer == Transfer::gamma;
 }
 
-/// Codes that are proportional to light need no response: all their bits count, as the file has them, so that what
-/// was too bright for the camera is still known by it.
-Result<Photograph> withLinearCodes(Photograph photograph, std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(read, withName(photograph.name, decodeCodeFractions(bytes)));
-  photograph.light = std::move(read.codes);
-  photograph.color = std::move(read.color);
-  photograph.oddities = std::move(read.oddities);
-  photograph.is_clipped_at_1 = true;
-  return photograph;
+/// Takes up what a file of integers holds, if it is a camera's: codes, or codes that are proportional to light and need
+/// no response. Of those all bits count, as the file has them, so that what was too bright for the camera is still known
+/// by it.
+///
+/// returns  whether it is
+bool takeCodes(std::variant<PictureCodes, PictureFractions> read, Photograph& photograph) {
+  auto* const codes = std::get_if<PictureCodes>(&read);
+  std::visit([&](const auto& picture) { photograph.exif = picture.exif; }, read);
+  if (codes && !isOfCamera(codes->color)) return false;
+  if (codes)
+    photograph.codes = std::move(codes->codes);
+  else
+    photograph.light = std::move(std::get<PictureFractions>(read).codes);
+  photograph.is_clipped_at_1 = !codes;
+  std::visit(
+      [&](auto& picture) {
+        photograph.color = std::move(picture.color);
+        photograph.oddities = std::move(picture.oddities);
+      },
+      read);
+  return true;
 }
 
 }  // namespace
@@ -32,15 +45,8 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::
   Photograph photograph{.name = path.string(), .codes = {}, .light = {}};
   MIRRORBALL_TRY(bytes, readImageFile(path));
   if (holdsCodes(bytes) && layer.empty()) {
-    MIRRORBALL_TRY(read, withName(photograph.name, decodeCodes(bytes)));
-    photograph.exif = read.exif;
-    if (isOfCamera(read.color)) {
-      photograph.codes = std::move(read.codes);
-      photograph.color = std::move(read.color);
-      photograph.oddities = std::move(read.oddities);
-      return photograph;
-    }
-    if (read.color.transfer == Transfer::linear) return withLinearCodes(std::move(photograph), bytes);
+    MIRRORBALL_TRY(read, withName(photograph.name, decodeCodesOrFractions(bytes)));
+    if (takeCodes(std::move(read), photograph)) return photograph;
   }
   MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes, {.layer = layer})));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)

@@ -115,6 +115,20 @@ TEST_F(PhotographTest, LinearFilesAreLight) {
   EXPECT_EQ(readPhotograph(write("x.jpg", {1, 2, 3})).error().code, ErrorCode::bad_file);
 }
 
+TEST_F(PhotographTest, LinearCodesHaveTheFilesChannels) {
+  const Bytes profile = testing::iccMatrixProfile(
+      "Linear", {{{0.51512, 0.24120, -0.00105}, {0.29198, 0.69225, 0.04189}, {0.15710, 0.06657, 0.78407}}},
+      testing::iccValue("para", {1.0}, {0}));
+  const auto photograph = readPhotograph(write(
+      "linear.jpg", withExif(testing::jpegWithProfile(*encodeJpeg(marked(), {}), profile), {.exposure_time_s = 0.5})));
+  ASSERT_TRUE(photograph) << photograph.error().message;
+  EXPECT_TRUE(photograph->codes.empty());
+  EXPECT_TRUE(photograph->is_clipped_at_1);
+  EXPECT_EQ(photograph->light.channels(), 3);
+  EXPECT_EQ(photograph->color.transfer, Transfer::linear);
+  EXPECT_EQ(photograph->exif.exposure_time_s, 0.5);
+}
+
 TEST_F(PhotographTest, PrimariesAndOdditiesAreKept) {
   const Bytes p3 = testing::jpegWithProfile(jpegOf(marked()), testing::iccDisplayP3());
   const auto photograph = readPhotograph(write("p3.jpg", withExif(p3, {.orientation = 3})));

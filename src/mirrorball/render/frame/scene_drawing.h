@@ -54,6 +54,14 @@ class SceneDrawing {
   Result<int> makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
                           const FrameSettings& settings);
 
+  /// Which program each instance needs in a frame, without those of pictures that a sample makes on its way.
+  ///
+  /// frame    as draw's
+  std::vector<SurfaceVariant> variants(const EnvironmentLight& light, const FrameUniforms& frame,
+                                       const FrameSettings& settings) {
+    return surfaces_.variants(scene(), staged_->buffers(), light, frame, settings);
+  }
+
   /// Draws one sample of all pixels, into a framebuffer of floats with depth and of the settings' size.
   ///
   /// frame    with the sample's own camera and number, and what `begin` has returned; its screen is made here

@@ -186,6 +186,13 @@ Result<int> View::makeProgram() {
   return on.drawing.makeProgram(on.samples->sample(), on.light.light(), frame, *state_->wanted);
 }
 
+Result<std::vector<SurfaceVariant>> View::surfaceVariants() {
+  if (!state_->isCurrent()) MIRRORBALL_TRY_VOID(start());
+  MIRRORBALL_TRY_VOID(enter());
+  OnDevice& on = *state_->on;
+  return on.drawing.variants(on.light.light(), on.frame, *state_->wanted);
+}
+
 Result<int> View::drawSample() {
   State& state = *state_;
   if (!state.isCurrent()) MIRRORBALL_TRY_VOID(start());

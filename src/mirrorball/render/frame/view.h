@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
@@ -13,6 +14,8 @@
 #include "mirrorball/scene/camera/camera.h"
 
 namespace mirrorball {
+
+struct SurfaceVariant;
 
 /// What the light that surfaces reflect takes, beside time.
 struct LightCost {
@@ -67,6 +70,12 @@ class View {
   /// errors   as draw's
   /// cost     with llvmpipe 5 to 30 ms for a program that its cache has, else up to a second
   Result<int> makeProgram();
+
+  /// Which program (render/surface/surface_variant.h) each instance of the scene needs in the frame that has begun: to
+  /// look at programs that the driver does not get. Without those of the pictures that a sample makes on its way.
+  ///
+  /// errors   as draw's
+  Result<std::vector<SurfaceVariant>> surfaceVariants();
 
   /// Draws the next sample of all pixels of the frame, if there is one left. Where the stage has changed since it
   /// began, or it could not begin, it begins again.

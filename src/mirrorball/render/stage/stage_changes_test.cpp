@@ -16,6 +16,7 @@
 
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/rays/occlusion_cache.h"
+#include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/render/stage/scene_difference.h"
 #include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/render/stage/stage_testing.h"
@@ -382,12 +383,17 @@ TEST_P(StageChangesTest, LevelsOfTexturesMayBeMadeBefore) {
   EXPECT_FALSE(makeMapLevels(scene, [](std::size_t, std::size_t) { return false; }));
 }
 
-TEST_P(StageChangesTest, ProgramsAreMadeOneAtATime) {
+/// Those balls, which need a program each.
+Scene differentBalls() {
   Scene scene = paintedBalls();
   scene.materials[1].clearcoat = 1.0f;
   scene.materials[1].alpha_mode = AlphaMode::blend;
   scene.materials[1].opacity = 0.5f;
-  ASSERT_TRUE(stage().setScene(scene));
+  return scene;
+}
+
+TEST_P(StageChangesTest, ProgramsAreMadeOneAtATime) {
+  ASSERT_TRUE(stage().setScene(differentBalls()));
   const std::vector<float> truth = pictureOfNewDevice(smallFrame());
   View view(stage());
   ASSERT_TRUE(view.begin(smallFrame()));
@@ -402,6 +408,21 @@ TEST_P(StageChangesTest, ProgramsAreMadeOneAtATime) {
   EXPECT_EQ(*view.makeProgram(), 0);
   ASSERT_TRUE(view.drawSample());
   EXPECT_TRUE(std::ranges::equal(view.radiance()->samples(), truth));
+}
+
+TEST_P(StageChangesTest, ProgramsOfAFrameAreFoundWithoutTheDriver) {
+  ASSERT_TRUE(stage().setScene(differentBalls()));
+  View view(stage());
+  ASSERT_TRUE(view.begin(smallFrame()));
+  const SurfacePrograms::Programs& programs = stage().device().state().surfaces().programs();
+  const std::size_t before = programs.size();
+  const auto variants = view.surfaceVariants();
+  ASSERT_TRUE(variants) << variants.error().message;
+  EXPECT_EQ(programs.size(), before);
+  ASSERT_TRUE(view.drawSample());
+  std::vector<SurfaceVariant> drawn;
+  for (const auto& [variant, program] : programs) drawn.push_back(variant);
+  EXPECT_TRUE(std::ranges::is_permutation(*variants, drawn));
 }
 
 }  // namespace

@@ -299,13 +299,23 @@ Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene
   return {};
 }
 
+std::vector<SurfaceVariant> SurfaceDrawing::variants(const Scene& scene, const SceneBuffers& buffers,
+                                                     const EnvironmentLight& light, const FrameUniforms& frame,
+                                                     const FrameSettings& settings) {
+  noteFrame(scene, light, frame, settings);
+  std::vector<SurfaceVariant> variants;
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
+    variants.push_back(variantOf(scene, instance, buffers, settings));
+  return variants;
+}
+
 Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(
     SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const EnvironmentLight& light,
     const FrameUniforms& frame, const FrameSettings& settings) {
-  noteFrame(scene, light, frame, settings);
   std::map<SurfaceVariant, int> waiting;  // the first instance of each
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
+  int instances = 0;
+  for (SurfaceVariant& variant : variants(scene, buffers, light, frame, settings)) {
+    const int instance = instances++;
     if (!programs.has(variant)) waiting.try_emplace(std::move(variant), instance);
   }
   if (waiting.empty()) return std::optional<MadeProgram>();

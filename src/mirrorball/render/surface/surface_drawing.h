@@ -32,6 +32,10 @@ class SurfaceDrawing {
   Result<void> begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, std::uint64_t version,
                      const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
 
+  /// Which program each instance of the scene needs in such a frame. The driver gets none of them.
+  std::vector<SurfaceVariant> variants(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
+                                       const FrameUniforms& frame, const FrameSettings& settings);
+
   /// Makes one of the programs that such a frame needs and that there are not. The driver is given the others, too, as
   /// far as it compiles them beside us; the first that is ready is made.
   ///

@@ -16,8 +16,8 @@ namespace {
 
 using testing::bytesOf;
 using testing::Damage;
-using testing::DamagedFile;
 using testing::gradient;
+using testing::inPart;
 
 Bytes oldRleHdr() {
   Bytes bytes = bytesOf("#?RGBE\nEXPOSURE=2\n\n+X 9 -Y 4\n");
@@ -91,9 +91,6 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
     EXPECT_FALSE(decodeImage(garbage));
   }
 }
-
-/// A file that is read as far as it goes.
-DamagedFile inPart(const char* name, std::function<Bytes()> bytes) { return {name, std::move(bytes), true}; }
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Damage,

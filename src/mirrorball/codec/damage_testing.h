@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,9 @@ struct DamagedFile {
   std::function<Bytes()> bytes;
   bool is_read_in_part = false;  ///< as far as it goes, with a remark, where it ends early
 };
+
+/// One of those that are read in part.
+inline DamagedFile inPart(const char* name, std::function<Bytes()> bytes) { return {name, std::move(bytes), true}; }
 
 class Damage : public ::testing::TestWithParam<DamagedFile> {};
 

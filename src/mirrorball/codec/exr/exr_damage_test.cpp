@@ -13,6 +13,7 @@ namespace {
 using testing::Damage;
 using testing::DamagedFile;
 using testing::gradient;
+using testing::inPart;
 
 Bytes scanLineExr(Imf::Compression compression, Imf::RgbaChannels channels) {
   return testing::foreignExr<Imf::RgbaOutputFile>(compression, channels);
@@ -23,9 +24,6 @@ Bytes overscanExr() {
   const Imf::Header header(Imath::Box2i({0, 0}, {29, 19}), Imath::Box2i({-4, -3}, {15, 8}));
   return testing::foreignFile(header, gradient(20, 12, 3), {"R", "G", "B"});
 }
-
-/// A file that is read as far as it goes.
-DamagedFile inPart(const char* name, std::function<Bytes()> bytes) { return {name, std::move(bytes), true}; }
 
 INSTANTIATE_TEST_SUITE_P(
     Exr, Damage,

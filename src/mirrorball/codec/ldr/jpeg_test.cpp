@@ -315,12 +315,11 @@ using testing::Damage;
 
 INSTANTIATE_TEST_SUITE_P(
     Jpeg, Damage,
-    ::testing::Values(testing::DamagedFile{
-        "Jpeg",
-        [] {
-          return *encodeJpeg(pictureFromLinear(testing::gradient(13, 11, 3), 3), {{"envmap", "cube"}});
-        },
-        true}),
+    ::testing::Values(
+        testing::inPart("Jpeg",
+                        [] {
+                          return *encodeJpeg(pictureFromLinear(testing::gradient(13, 11, 3), 3), {{"envmap", "cube"}});
+                        })),
     testing::nameOfDamaged);
 
 using testing::CodecFormat;

@@ -465,12 +465,11 @@ TEST(PngEnd, DamagedTexelsAreNoEnd) {
 using testing::Damage;
 
 INSTANTIATE_TEST_SUITE_P(Png, Damage,
-                         ::testing::Values(testing::DamagedFile{
+                         ::testing::Values(testing::inPart(
                              "Png",
                              [] {
                                return *encodePng(pictureFromLinear(gradient(13, 11, 3), 3), {{"envmap", "cube"}});
-                             },
-                             /*is_read_in_part=*/true}),
+                             })),
                          testing::nameOfDamaged);
 
 using testing::CodecFormat;

@@ -13,6 +13,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
@@ -182,8 +183,7 @@ Result<void> resizeTo(const ComparedImage& reference, ComparedSide& side) {
       side.name, checkMemory(kBytesOfPixel * std::uint64_t(size.x) * (std::uint64_t(size.y) + std::uint64_t(own.y)))));
   side.image.light = resized(side.image.light, size);
   if (!side.image.alpha.empty()) side.image.alpha = resized(side.image.alpha, size);
-  const auto written = [](glm::ivec2 of) { return std::to_string(of.x) + "x" + std::to_string(of.y); };
-  remark(side.name + ": resized from " + written(own) + " to " + written(size));
+  remark(side.name + ": resized from " + sizeText(own) + " to " + sizeText(size));
   return {};
 }
 

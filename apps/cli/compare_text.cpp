@@ -6,6 +6,7 @@
 
 #include "cli/compare_command.h"
 #include "cli/formatted.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
@@ -50,8 +51,7 @@ std::vector<std::string> linesOf(const ToldComparison& told) {
   const bool is_light = comparison.kind == ImageKind::light;
   std::vector<std::string> lines{comparisonLine("images",
                                                 std::string(is_light ? "light" : "pictures") + " of " +
-                                                    std::to_string(comparison.flip.width()) + "x" +
-                                                    std::to_string(comparison.flip.height()),
+                                                    sizeText({comparison.flip.width(), comparison.flip.height()}),
                                                 "")};
   for (const MetricText& metric : kMetrics) {
     const auto& value = comparison.value(metric.metric);

@@ -4,6 +4,7 @@
 
 #include "cli/formatted.h"
 #include "cli/map_info.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/cube/cube_layout.h"
 

@@ -1,13 +1,13 @@
 #include "mirrorball/codec/picture_window.h"
 
+#include "mirrorball/base/size_text.h"
+
 namespace mirrorball {
 namespace {
 
 /// The most texels of a larger picture that one byte of a real file stands for: 8 × 8 texels of 4096 × 2048 have 17 000
 /// a byte. More than this is a lie that would only cost memory.
 constexpr std::uint64_t kMaxTexelsPerByteOfWhole = 1 << 15;
-
-std::string textOfSize(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 bool coversWhole(const PictureWindow& window) {
   const glm::ivec2 end = window.corner + window.size;
@@ -31,7 +31,7 @@ Result<void> checkWholePicture(long long width, long long height, const std::str
 }
 
 std::string windowText(const PictureWindow& window) {
-  const std::string size = textOfSize(window.size), whole = textOfSize(window.whole);
+  const std::string size = sizeText(window.size), whole = sizeText(window.whole);
   if (!reachesBeyond(window))
     return "holds " + size + " of the " + whole + " texels of " + window.source + ": what lies outside is black";
   return "holds " + size + " texels, beyond " + window.source + " of " + whole + ": what lies outside is cut off" +

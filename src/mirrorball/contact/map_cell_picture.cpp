@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/codec/color/automatic_exposure.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/contact/cell_picture.h"
@@ -20,17 +21,13 @@ struct SmallPanorama {
   std::vector<std::string> files = {};
 };
 
-std::string sizeText(glm::ivec2 size, const std::string& projection) {
-  return std::to_string(size.x) + "x" + std::to_string(size.y) + " " + projection;
-}
-
 Result<SmallPanorama> convertedByRows(const PanoramaRows& panorama, int height, const ProgressFunction& progress) {
   const RowReader::Description& picture = panorama.rows->description();
   MIRRORBALL_TRY(images, imagesFor(Projection::equirect, height));
   MIRRORBALL_TRY_VOID(convertRows(*panorama.rows, memoryLimit(), Projection::equirect, height,
                                   {.source_from_target = panorama.picture_from_world}, copyInto(images), progress));
   return SmallPanorama{
-      std::move(images.at(0, 0)), sizeText({picture.width, picture.height}, "equirect"), {picture.name}};
+      std::move(images.at(0, 0)), sizeText({picture.width, picture.height}) + " equirect", {picture.name}};
 }
 
 Result<SmallPanorama> convertedWhole(const std::string& input, int height, const EnvironmentLoadOptions& options,
@@ -41,7 +38,7 @@ Result<SmallPanorama> convertedWhole(const std::string& input, int height, const
   MIRRORBALL_TRY(map, convert(loaded.environment, Projection::equirect, height, {}, progress));
   const auto& form = loaded.recognition;
   return SmallPanorama{std::move(map.face(0)),
-                       form ? sizeText(loaded.file_size, textOf(form->form.projection)) : loaded.format,
+                       form ? sizeText(loaded.file_size) + " " + textOf(form->form.projection) : loaded.format,
                        std::move(loaded.files)};
 }
 

@@ -7,6 +7,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/metric/image_error.h"
 #include "mirrorball/metric/ssim.h"
 
@@ -122,12 +123,11 @@ Result<ComparedImage> comparedImage(Image image, ImageKind kind) {
 
 Result<Comparison> compareImages(ComparedImage test, ComparedImage reference, ImageKind kind,
                                  const ComparisonSettings& settings, const ProgressFunction& progress) {
-  const auto sizeOf = [](const Image& image) {
-    return std::to_string(image.width()) + "x" + std::to_string(image.height());
-  };
-  if (test.light.width() != reference.light.width() || test.light.height() != reference.light.height())
+  const glm::ivec2 size(test.light.width(), test.light.height());
+  const glm::ivec2 size_of_reference(reference.light.width(), reference.light.height());
+  if (size != size_of_reference)
     return fail(ErrorCode::bad_shape,
-                "their sizes differ, " + sizeOf(test.light) + " and " + sizeOf(reference.light) +
+                "their sizes differ, " + sizeText(size) + " and " + sizeText(size_of_reference) +
                     "; bring them to one size first",
                 FixHint::resize);
   Comparison comparison;

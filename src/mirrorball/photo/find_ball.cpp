@@ -11,6 +11,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/photo/ball_evidence.h"
 #include "mirrorball/photo/rim_fit.h"
 #include "mirrorball/photo/rim_votes.h"
@@ -245,7 +246,7 @@ Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Pers
   const glm::dvec2 nearest = glm::clamp(circle.center_px, glm::dvec2(0.0), glm::dvec2(size));
   if (!(circle.radius_px > 0.0) || glm::distance(nearest, circle.center_px) >= circle.radius_px)
     return fail(ErrorCode::usage, "a circle is the centre and the radius of a ball that is seen in the photograph of " +
-                                      std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels");
+                                      sizeText(size) + " pixels");
   const glm::dvec2 middle = glm::dvec2(size) / 2.0;
   const BallView seen(Pinhole{middle, 0.0}, circle);
   const Pinhole pinhole = pinholeFor(perspective, middle, seen, startingFocal(perspective, circle.radius_px));

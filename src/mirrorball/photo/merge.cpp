@@ -7,6 +7,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/codec/color/primaries.h"
@@ -29,10 +30,6 @@ struct Evidence {
 
 double trustIn(double code) { return code >= kFirstClippedCode ? 0.0 : trustInCode(code); }
 
-std::string sizeText(const Photograph& photograph) {
-  return std::to_string(photograph.width()) + "x" + std::to_string(photograph.height());
-}
-
 /// Whether the codes of two photographs mean the same light, by whatever each file states or leaves out.
 bool haveSameColors(const CodedColor& a, const CodedColor& b) {
   if (isSrgb(a) || isSrgb(b)) return isSrgb(a) && isSrgb(b);
@@ -48,8 +45,9 @@ Result<void> checkSeries(std::span<const Photograph> photographs) {
   const Photograph& first = photographs.front();
   for (const Photograph& photograph : photographs) {
     if (photograph.width() != first.width() || photograph.height() != first.height())
-      return fail(ErrorCode::bad_shape, photograph.name + ": is " + sizeText(photograph) + ", but " + first.name +
-                                            " is " + sizeText(first) + "; a series has one size");
+      return fail(ErrorCode::bad_shape,
+                  photograph.name + ": is " + sizeText({photograph.width(), photograph.height()}) + ", but " +
+                      first.name + " is " + sizeText({first.width(), first.height()}) + "; a series has one size");
     if (!haveSameColors(photograph.color, first.color))
       return fail(ErrorCode::bad_shape, photograph.name + ": says of its colours " +
                                             describeColor(photograph.color, 3) + ", but " + first.name + " " +

@@ -12,6 +12,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/av1_size.h"
 #include "mirrorball/codec/ldr/coded_file.h"
@@ -84,8 +85,6 @@ bool canBeTriedByAom(const avifDecoder& decoder, Span bytes) {
   return is_large && !decoder.alphaPresent && codedSize(decoder, bytes) == glm::uvec2(image.width, image.height) &&
          avifCodecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE) != nullptr;
 }
-
-std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 /// For an aperture that cannot be meant.
 std::optional<PictureWindow> withoutAperture(std::vector<std::string>& oddities) {

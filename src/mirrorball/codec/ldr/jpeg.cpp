@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/codec/ldr/jpeg_library.h"
 #include "mirrorball/codec/ldr/jpeg_reader.h"
 #include "mirrorball/codec/ldr/ultra_hdr.h"
@@ -102,7 +103,7 @@ Result<void> applyGainMap(std::span<const std::uint8_t> bytes, int orientation, 
   MIRRORBALL_TRY_VOID(checkMemory(texels * 2 * 3 * sizeof(float) + map->samples().size()));
   decoded.image = lightByGainMap(decoded.image, *map, (*part)->map);
   decoded.gain_map = GainMapUse::applied;
-  decoded.format += ", gain map of " + std::to_string(map->width()) + "x" + std::to_string(map->height());
+  decoded.format += ", gain map of " + sizeText({map->width(), map->height()});
   return {};
 }
 

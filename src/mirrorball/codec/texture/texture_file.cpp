@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
@@ -27,9 +28,8 @@ Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes, ReadA
   return fail(ErrorCode::bad_file, "does not begin as a KTX2, KTX or DDS texture does");
 }
 
-std::string sizeText(const Image& image) {
-  return std::to_string(image.width()) + "x" + std::to_string(image.height()) + " with " +
-         counted(std::size_t(image.channels()), "channel");
+std::string shapeText(const Image& image) {
+  return sizeText({image.width(), image.height()}) + " with " + counted(std::size_t(image.channels()), "channel");
 }
 
 /// All images have the size that their level makes them, and the channels of the first, which the format can hold.
@@ -49,8 +49,8 @@ Result<void> checkShape(const ImageSet& images, TexelFormat format) {
         if (image.width() == levelSide(first.width(), level) && image.height() == levelSide(first.height(), level) &&
             image.channels() == first.channels())
           continue;
-        return fail(ErrorCode::bad_shape, placeName(shapeOf(images), level, layer, face) + " is " + sizeText(image) +
-                                              ", which does not go with level 0 of " + sizeText(first));
+        return fail(ErrorCode::bad_shape, placeName(shapeOf(images), level, layer, face) + " is " + shapeText(image) +
+                                              ", which does not go with level 0 of " + shapeText(first));
       }
   return {};
 }

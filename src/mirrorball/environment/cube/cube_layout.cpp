@@ -5,6 +5,7 @@
 #include <cassert>
 #include <string>
 
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
 
@@ -112,10 +113,9 @@ Result<ImageSet> splitLayout(const Image& picture, CubeLayout layout) {
   const LayoutTable& table = tableOf(layout);
   const int side = picture.width() / table.cells.x;
   if (side == 0 || picture.width() != side * table.cells.x || picture.height() != side * table.cells.y)
-    return fail(ErrorCode::bad_shape, std::to_string(picture.width()) + "x" + std::to_string(picture.height()) +
-                                          " is not " + std::to_string(table.cells.x) + ":" +
-                                          std::to_string(table.cells.y) + ", as the cube layout " +
-                                          std::string(table.name) + " is");
+    return fail(ErrorCode::bad_shape, sizeText({picture.width(), picture.height()}) + " is not " +
+                                          std::to_string(table.cells.x) + ":" + std::to_string(table.cells.y) +
+                                          ", as the cube layout " + std::string(table.name) + " is");
   ImageSet faces(1, 6);
   for (int face = 0; face < 6; ++face) {
     Image& image = faces.at(0, face) = Image(side, side, picture.channels());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/cube/face_reading.h"
@@ -22,8 +23,8 @@ namespace fs = std::filesystem;
 
 Result<void> checkIsSquare(const Image& face) {
   if (face.width() == face.height()) return {};
-  return fail(ErrorCode::bad_shape, "is " + std::to_string(face.width()) + "x" + std::to_string(face.height()) +
-                                        ", and the six faces of a cube are squares");
+  return fail(ErrorCode::bad_shape,
+              "is " + sizeText({face.width(), face.height()}) + ", and the six faces of a cube are squares");
 }
 
 /// Brings six squares to the largest side among them: skies for Quake have a small bottom of one colour

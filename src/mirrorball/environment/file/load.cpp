@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_layers.h"

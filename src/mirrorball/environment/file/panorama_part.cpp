@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/picture_window.h"
 #include "mirrorball/environment/environment_map.h"
@@ -167,8 +168,6 @@ std::optional<int> heightOfWhole(glm::ivec2 picture, const PanoramaPart& part) {
     return std::nullopt;
   return std::max(static_cast<int>(std::ceil(std::max(by_width, whole.y) - 1e-3)), 1);
 }
-
-std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 std::string textOf(const PanoramaPart& part) {
   const glm::dvec2 degrees = (part.end - part.begin) * glm::dvec2(360.0, 180.0);

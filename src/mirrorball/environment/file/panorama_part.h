@@ -58,9 +58,6 @@ Result<PanoramaPart> panoramaPartNamed(std::string_view word);
 /// returns  nothing where the picture has not the part's proportion, to 3 %, or the panorama were too high for an int
 std::optional<int> heightOfWhole(glm::ivec2 picture, const PanoramaPart& part);
 
-/// "512x256"
-std::string sizeText(glm::ivec2 size);
-
 /// "180 x 90 degrees"
 std::string textOf(const PanoramaPart& part);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/picture_window.h"
 #include "mirrorball/environment/file/picture_content.h"

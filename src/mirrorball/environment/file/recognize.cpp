@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {

@@ -276,12 +276,13 @@ TexCoordSets texCoordSets(std::span<const FileMaterial> materials) {
 Result<nlohmann::json> parseMended(std::string_view text, const std::string& problem, JsonMemory& needed,
                                    Remarks& remarks) {
   MIRRORBALL_TRY_VOID(checkMemory(mostMended(text.size())));
+  const auto failure = [&] { return fail(ErrorCode::bad_file, problem + "; the file is damaged or not glTF"); };
   const std::optional<MendedJson> mended = mendJson(text);
-  if (!mended) return fail(ErrorCode::bad_file, problem + "; the file is damaged or not glTF");
+  if (!mended) return failure();
   needed = jsonMemory(mended->text);
   MIRRORBALL_TRY_VOID(checkMemory(needed.tree + needed.parsing + mended->text.size()));
   auto parsed = nlohmann::json::parse(mended->text, nullptr, /*allow_exceptions=*/false);
-  if (parsed.is_discarded()) return fail(ErrorCode::bad_file, problem + "; the file is damaged or not glTF");
+  if (parsed.is_discarded()) return failure();
   remarks.tell(problem + ": " + mended->how);
   return parsed;
 }

@@ -10,17 +10,23 @@
 namespace mirrorball {
 namespace {
 
-/// The sum of the triangles' areas along +Z, and of those that are turned the wrong way.
+/// Areas along +Z.
 struct Areas {
-  float sum = 0.0f;
-  float wrong = 0.0f;
+  double polygon = 0.0;
+  double sum = 0.0;    ///< of its triangles
+  double wrong = 0.0;  ///< of those that are turned the wrong way
 };
-Areas areasOf(const std::vector<glm::vec3>& corners) {
+Areas measure(const std::vector<glm::vec3>& corners, TriangulationWork* work = nullptr) {
   Areas areas;
-  for (const auto& [a, b, c] : triangulate(corners)) {
-    const float area = 0.5f * glm::cross(corners[b] - corners[a], corners[c] - corners[a]).z;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 a(corners[i]), b(corners[(i + 1) % corners.size()]);
+    areas.polygon += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  for (const auto& [a, b, c] : triangulate(corners, work)) {
+    const glm::dvec3 first(corners[a]);
+    const double area = 0.5 * glm::cross(glm::dvec3(corners[b]) - first, glm::dvec3(corners[c]) - first).z;
     areas.sum += area;
-    if (area < 0.0f) areas.wrong -= area;
+    areas.wrong += std::max(0.0, -area);
   }
   return areas;
 }
@@ -36,24 +42,29 @@ TEST(Triangulate, MakesAFanOfAConvexPolygon) {
 TEST(Triangulate, KeepsInsideAConcavePolygon) {
   // An arrowhead whose first corner would make a fan that leaves it, and an L.
   const std::vector<glm::vec3> arrow = {{2, 0, 0}, {-1, 2, 0}, {0, 0, 0}, {-1, -2, 0}};
-  EXPECT_NEAR(areasOf(arrow).sum, 4.0f, 1e-6f);
-  EXPECT_EQ(areasOf(arrow).wrong, 0.0f);
+  EXPECT_NEAR(measure(arrow).sum, 4.0, 1e-6);
+  EXPECT_EQ(measure(arrow).wrong, 0.0);
   const std::vector<glm::vec3> bracket = {{3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}, {0, 0, 0}};
-  EXPECT_NEAR(areasOf(bracket).sum, 5.0f, 1e-6f);
-  EXPECT_EQ(areasOf(bracket).wrong, 0.0f);
+  EXPECT_NEAR(measure(bracket).sum, 5.0, 1e-6);
+  EXPECT_EQ(measure(bracket).wrong, 0.0);
+}
+
+/// A star of that many points.
+std::vector<glm::vec3> makeStar(int points) {
+  std::vector<glm::vec3> star;
+  for (int i = 0; i < 2 * points; ++i) {
+    const double angle = i * 3.141592653589793 / points, radius = i % 2 == 0 ? 1.0 : 0.3;
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+  }
+  return star;
 }
 
 TEST(Triangulate, KeepsInsideAStar) {
-  std::vector<glm::vec3> star;
-  for (int i = 0; i < 40; ++i) {
-    const float radius = i % 2 == 0 ? 1.0f : 0.3f;
-    const float angle = static_cast<float>(i) * 0.15707963f;
-    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0f);
-  }
-  const float exact = 40.0f * 0.5f * 0.3f * std::sin(0.15707963f);
+  const std::vector<glm::vec3> star = makeStar(20);
+  const double exact = 40.0 * 0.5 * 0.3 * std::sin(0.15707963);
   EXPECT_EQ(triangulate(star).size(), 38u);
-  EXPECT_NEAR(areasOf(star).sum, exact, 1e-5f);
-  EXPECT_LT(areasOf(star).wrong, 1e-6f);
+  EXPECT_NEAR(measure(star).sum, exact, 1e-5);
+  EXPECT_LT(measure(star).wrong, 1e-6);
 }
 
 /// A band of that many corners along a spiral: all of one side bend inwards, and ears are at its two ends alone.
@@ -72,14 +83,10 @@ std::vector<glm::vec3> spiral(int corners) {
 TEST(Triangulate, KeepsInsideASpiral) {
   for (const int corners : {100, 1000, 3000}) {
     const std::vector<glm::vec3> band = spiral(corners);
-    double exact = 0.0;
-    for (std::size_t i = 0; i < band.size(); ++i) {
-      const glm::dvec3 a(band[i]), b(band[(i + 1) % band.size()]);
-      exact += 0.5 * (a.x * b.y - a.y * b.x);
-    }
+    const Areas areas = measure(band);
     EXPECT_EQ(triangulate(band).size(), std::size_t(corners - 2));
-    EXPECT_NEAR(areasOf(band).sum, exact, 1e-4 * exact);
-    EXPECT_LT(areasOf(band).wrong, 1e-5f);
+    EXPECT_NEAR(areas.sum, areas.polygon, 1e-4 * areas.polygon);
+    EXPECT_LT(areas.wrong, 1e-5);
   }
 }
 
@@ -111,16 +118,6 @@ TEST(Triangulate, EndsForPolygonsWithoutEars) {
   EXPECT_EQ(triangulate(bow).size(), 2u);
 }
 
-/// A star of that many points.
-std::vector<glm::vec3> makeStar(int points) {
-  std::vector<glm::vec3> star;
-  for (int i = 0; i < 2 * points; ++i) {
-    const double angle = i * 3.141592653589793 / points, radius = i % 2 == 0 ? 1.0 : 0.3;
-    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
-  }
-  return star;
-}
-
 // The outline of a country, and the caps of what CAD programs cut.
 TEST(Triangulate, KeepsInsideOfPolygonsOfAHundredThousandCorners) {
   std::vector<glm::vec3> comb;
@@ -132,23 +129,11 @@ TEST(Triangulate, KeepsInsideOfPolygonsOfAHundredThousandCorners) {
   for (int i = 0; i < 20'000; ++i) zigzag.emplace_back(i % 2 * 5000, i, 0);
   for (int i = 20'000; i-- > 0;) zigzag.emplace_back(i % 2 * 5000 - 1, i, 0);
   for (const std::vector<glm::vec3>& outline : {makeStar(50'000), comb, zigzag}) {
-    double exact = 0.0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const glm::dvec3 a(outline[i]), b(outline[(i + 1) % outline.size()]);
-      exact += 0.5 * (a.x * b.y - a.y * b.x);
-    }
     TriangulationWork work;
-    double sum = 0.0, wrong = 0.0;
-    for (const auto& [a, b, c] : triangulate(outline, &work)) {
-      const double area = 0.5 * glm::cross(glm::dvec3(outline[b]) - glm::dvec3(outline[a]),
-                                           glm::dvec3(outline[c]) - glm::dvec3(outline[a]))
-                                    .z;
-      sum += area;
-      wrong += std::max(0.0, -area);
-    }
+    const Areas areas = measure(outline, &work);
     EXPECT_FALSE(work.gave_up);
-    EXPECT_NEAR(sum, exact, 1e-6 * exact);
-    EXPECT_LT(wrong, 1e-6 * exact);
+    EXPECT_NEAR(areas.sum, areas.polygon, 1e-6 * areas.polygon);
+    EXPECT_LT(areas.wrong, 1e-6 * areas.polygon);
   }
 }
 
@@ -192,7 +177,7 @@ TEST(Triangulate, FillsACircleOfManyCorners) {
     circle.emplace_back(std::cos(angle), std::sin(angle), 0.0);
   }
   EXPECT_EQ(triangulate(circle).size(), 4998u);
-  EXPECT_NEAR(areasOf(circle).sum, 3.14159f, 1e-3f);
+  EXPECT_NEAR(measure(circle).sum, 3.14159, 1e-3);
 }
 
 }  // namespace

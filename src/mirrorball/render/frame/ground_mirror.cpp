@@ -39,10 +39,10 @@ Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
   return GroundMirror(std::move(program), std::move(to_halves));
 }
 
-Result<const gl::Framebuffer*> GroundMirror::begin(const Camera& camera, float ground, const BoundingSphere& bounds,
-                                                   glm::ivec2 size) {
-  below_ = mirroredBelow(camera, ground, bounds);
-  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, gl::Depths::alone));
+Result<const gl::Framebuffer*> GroundMirror::begin(const SampleUniforms& sample, float ground,
+                                                   const BoundingSphere& bounds, glm::ivec2 size) {
+  below_ = mirroredBelow(sample.camera, ground, bounds);
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, depthsFor(sample)));
   return &*picture_;
 }
 

@@ -24,11 +24,11 @@ class GroundMirror {
 
   /// What the picture from below is to be drawn into, with the camera `below()` and nothing behind the scene.
   ///
-  /// camera   of the sample
+  /// sample   by whose camera it is drawn, and whether that tests a stencil
   /// bounds   of the scene
   /// size     pixels; a blurred image needs fewer than the frame has
   /// errors   too_large; no_gl
-  Result<const gl::Framebuffer*> begin(const Camera& camera, float ground, const BoundingSphere& bounds,
+  Result<const gl::Framebuffer*> begin(const SampleUniforms& sample, float ground, const BoundingSphere& bounds,
                                        glm::ivec2 size);
   const Camera& below() const { return below_; }
   /// Makes what is read of that picture, with mip levels if it is to be blurred.

@@ -8,7 +8,9 @@
 
 #include "formula/bsdf.h"
 #include "formula/proxy.h"
+#include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/render/render_testing.h"
+#include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
@@ -108,6 +110,18 @@ TEST_F(GroundMirrorTest, ARoughGroundBlursTheImageAndKeepsItsLight) {
     }
   EXPECT_NEAR(sums[1], sums[0], 0.25 * sums[0]);
   EXPECT_GT(between, 100) << "its edge is soft";
+}
+
+// A surface that sees the screen through itself shows the environment behind it in the mirror image, whose camera is
+// another one; drivers take seconds for a program of glass.
+TEST_F(GroundMirrorTest, TheImageIsDrawnByTheProgramsOfTheFrame) {
+  Material glass;
+  glass.transmission = 1.0f;
+  Renderer renderer = testing::rendererFor(meshScene(sphereMesh(), glass), *builtinEnvironment("studio"));
+  FrameSettings settings = onGround("0");
+  testing::set(settings, "behind", "screen");
+  EXPECT_GT(testing::drawn(renderer, settings).texel(40, 70)[0], 0.0f);
+  EXPECT_EQ(renderer.stage().device().state().surfaces().programs().size(), 1);
 }
 
 // Light above the largest half float stays a number where it is blurred.

@@ -30,8 +30,6 @@ FrameSettings settingsOfFace(const FrameSettings& settings) {
   of_face.background = BackgroundKind::environment;
   of_face.background_color = glm::vec3(0.0f);
   of_face.proxy.ground_roughness = 1.0f;  // objects see no image in the ground that they reflect
-  if (of_face.behind == BehindKind::screen)
-    of_face.behind = BehindKind::probes;  // a face does not show what is beside it
   return of_face;
 }
 
@@ -60,9 +58,12 @@ Result<const ProbeUniforms*> Probes::begin(gl::Api api, SceneDrawing& drawing, c
     const int most = settings.probes == FrameSettings::kAutoProbes ? FrameSettings::kSomeProbes : settings.probes;
     places_ = probePlaces(drawing.scene(), most);
     places_.others.resize(std::min(places_.others.size(), kMostBlended));
-    MIRRORBALL_TRY_VOID(makeLights(api, light, wanted.settings));
     FrameUniforms of_face = frame;
+    of_face.sample.tests_stencil = frame.sample.mask != nullptr;
+    of_face.sample.mask = nullptr;
+    of_face.sample.has_empty_screen = settings.behind == BehindKind::screen;  // a face does not show what is beside it
     of_face.probes = nullptr;
+    MIRRORBALL_TRY_VOID(makeLights(api, light, of_face.sample, wanted.settings));
     of_face.light.suns.are_seen = false;  // surfaces add them
     for (int bounce = 0; bounce < settings.probe_bounces; ++bounce) {
       for (std::size_t probe = 0; probe < lights_.size(); ++probe)
@@ -76,7 +77,8 @@ Result<const ProbeUniforms*> Probes::begin(gl::Api api, SceneDrawing& drawing, c
   return lights_.empty() ? nullptr : &uniforms_;
 }
 
-Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, const FrameSettings& settings) {
+Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, const SampleUniforms& sample,
+                                const FrameSettings& settings) {
   const int size = settings.probe_size;
   const gl::Format format = light.cube().format();
   const float unit = settings.env_intensity > 1.0f ? light.unit() * settings.env_intensity : light.unit();
@@ -86,7 +88,7 @@ Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, cons
     MIRRORBALL_TRY(made, ProbeFilter::make(api, size, format, unit));
     filter_ = std::move(made);
   }
-  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), gl::Depths::alone));
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), depthsFor(sample)));
   const auto fill = [&](std::vector<ProbeLight>& lights, std::size_t count) -> Result<void> {
     while (lights.size() > count) lights.pop_back();
     while (lights.size() < count) {

@@ -42,7 +42,8 @@ class Probes {
     std::uint64_t environment;
     bool operator==(const Captured&) const = default;
   };
-  Result<void> makeLights(gl::Api api, const EnvironmentLight& light, const FrameSettings& settings);
+  Result<void> makeLights(gl::Api api, const EnvironmentLight& light, const SampleUniforms& sample,
+                          const FrameSettings& settings);
   Result<void> capture(std::size_t probe, SceneDrawing& drawing, const EnvironmentLight& light,
                        const FrameSettings& settings, FrameUniforms frame);
   void blend();

@@ -41,6 +41,7 @@ void setBlending(bool is_blended) {
 /// Makes a picture that is bound ready to be drawn into.
 void clear(const SampleUniforms& sample, glm::vec4 page) {
   if (sample.mask) return sample.mask->clear(page);
+  if (sample.tests_stencil) return PixelMask::clearUnlimited(page);
   glClearColor(page.x, page.y, page.z, page.w);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
@@ -63,16 +64,23 @@ bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
   });
 }
 
-/// What has been drawn until now, for the surfaces that see it through themselves.
-Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
-                                      FrameUniforms& frame, const FrameSettings& settings) {
-  frame.screen.unit = staged_->bounds().radius;
+/// Makes the picture of the screen, as large as the frame, if some surfaces see it.
+Result<void> SceneDrawing::makeScreen(const FrameSettings& settings) {
+  const std::vector<Material>& materials = scene().materials;
+  const auto sees = [&](const Material& each) { return seesScreen(each, settings); };
+  if (std::none_of(materials.begin(), materials.end(), sees)) return {};
   if (!opaque_picture_) {
     MIRRORBALL_TRY(made, OpaquePicture::make(api()));
     opaque_picture_ = std::move(made);
   }
-  const int levels = someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1;
-  MIRRORBALL_TRY_VOID(opaque_picture_->take(target, frame.sample.camera, frame.screen.unit, levels));
+  return opaque_picture_->resize(settings.size, someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1);
+}
+
+/// What has been drawn until now, for the surfaces that see it through themselves.
+Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                      FrameUniforms& frame, const FrameSettings& settings) {
+  frame.screen.unit = staged_->bounds().radius;
+  opaque_picture_->take(target, frame.sample.camera, frame.screen.unit);
   frame.screen.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
@@ -114,6 +122,7 @@ Result<SceneUniforms> SceneDrawing::begin(const FrameSettings& settings, const S
   MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, uniforms));
   MIRRORBALL_TRY(coordinates, coordinateMatrices(scene(), staged_->bounds(), sample.camera, settings));
   uniforms.coordinates = coordinates;
+  if (!sample.has_empty_screen) MIRRORBALL_TRY_VOID(makeScreen(settings));
   return uniforms;
 }
 
@@ -201,12 +210,13 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
     settings.samples = 1;
   }
   const float ground = frame.light.proxy->proxy().ground;
-  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample.camera, ground, staged_->bounds(), settings.size));
-  frame.sample.camera = ground_mirror_->below();
+  frame.sample.tests_stencil = frame.sample.mask != nullptr;
   frame.sample.mask = nullptr;
+  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample, ground, staged_->bounds(), settings.size));
+  frame.sample.camera = ground_mirror_->below();
   frame.scene.eye_media = {};
   settings.background = BackgroundKind::transparent;
-  if (settings.behind == BehindKind::screen) settings.behind = BehindKind::probes;  // which is another camera's
+  frame.sample.has_empty_screen = settings.behind == BehindKind::screen;  // the screen is another camera's
   MIRRORBALL_TRY_VOID(drawOnce(*picture, light, frame, settings));
   return ground_mirror_->finish(is_blurred);
 }
@@ -217,8 +227,9 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   glFrontFace(is_mirrored ? GL_CW : GL_CCW);
   const std::vector<int>& order = byDistance(frame, false);
   std::vector<ScreenLayer> layers;
-  if (settings.behind == BehindKind::screen)
+  if (settings.behind == BehindKind::screen && !frame.sample.has_empty_screen)
     layers = screenLayers(scene(), staged_->boxes(), staged_->bounds().radius, order, settings);
+  if (frame.sample.has_empty_screen) frame.screen.opaque_picture = &opaque_picture_->picture();
   if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(beginSurfaces(light, frame, settings));
@@ -235,7 +246,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   keepWhatShowsThrough(layers, frame);
   const Result<void> drawn = drawLayers(target, light, frame, settings, layers);
   if (drawn) drawBlended(frame, settings);
-  if (frame.sample.mask) frame.sample.mask->end();
+  if (frame.sample.mask || frame.sample.tests_stencil) PixelMask::end();
   return drawn;
 }
 
@@ -259,7 +270,7 @@ void SceneDrawing::drawWhatSeesNothing(const std::vector<int>& order, const Fram
                                        const FrameSettings& settings) {
   std::vector<bool> sees;  // of each material
   for (const Material& material : scene().materials) sees.push_back(seesScreen(material, settings));
-  if (!contains(sees, true)) return drawInstances(order, frame, settings);
+  if (frame.sample.has_empty_screen || !contains(sees, true)) return drawInstances(order, frame, settings);
   const std::vector<InstanceTraits>& traits = staged_->traits();
   std::vector<int> seeing_nothing;
   std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
@@ -279,11 +290,11 @@ Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const Envir
   const bool is_blended = staged_->traits()[std::size_t(made->instance)].is_blended;
   setBlending(is_blended);
   chooseCulling(made->instance, frame);
-  if (frame.sample.mask) frame.sample.mask->limit();  // by whose test drivers tell programs apart, too
+  if (frame.sample.mask) PixelMask::limit();  // by whose test drivers tell programs apart, too
   device_->depthPass().draw(scene(), made->instance, staged_->buffers(), frame.sample.camera,
                             DepthPass::Offset::farther);
   surfaces_.tryOut(scene(), staged_->buffers(), settings);
-  if (frame.sample.mask) frame.sample.mask->end();
+  if (frame.sample.mask) PixelMask::end();
   if (is_blended) setBlending(false);
   return made->left;
 }

@@ -88,6 +88,7 @@ class SceneDrawing {
   Result<void> makeSceneTriangles(const FrameSettings& settings, SceneUniforms& uniforms);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   bool someSeeScreenRoughly(const FrameSettings& settings) const;
+  Result<void> makeScreen(const FrameSettings& settings);
   Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
                           const FrameSettings& settings);
   Result<void> drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,

@@ -159,6 +159,7 @@ Result<void> View::start() {
   frame.light = light;
   MIRRORBALL_TRY(scene, on.drawing.begin(settings, frame.sample, *light.proxy));
   frame.scene = scene;
+  frame.sample.mask = on.samples->mask();
   MIRRORBALL_TRY(probes, on.probes.begin(api, on.drawing, on.light.light(), staged.light.version(), settings, frame));
   frame.probes = probes;
   on.frame = frame;
@@ -181,9 +182,7 @@ Result<int> View::makeProgram() {
   if (!state_->isCurrent()) MIRRORBALL_TRY_VOID(start());
   MIRRORBALL_TRY_VOID(enter());
   OnDevice& on = *state_->on;
-  FrameUniforms frame = on.frame;
-  frame.sample.mask = on.samples->mask();
-  return on.drawing.makeProgram(on.samples->sample(), on.light.light(), frame, *state_->wanted);
+  return on.drawing.makeProgram(on.samples->sample(), on.light.light(), on.frame, *state_->wanted);
 }
 
 Result<std::vector<SurfaceVariant>> View::surfaceVariants() {
@@ -205,7 +204,6 @@ Result<int> View::drawSample() {
   FrameUniforms of_sample = on.frame;
   of_sample.sample.camera = shiftedInPixel(on.frame.sample.camera, offset_px, settings.size);
   of_sample.sample.number = drawn;
-  of_sample.sample.mask = on.samples->mask();
   MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, settings));
   on.samples->add();
   return on.samples->count();

@@ -55,8 +55,19 @@ struct SampleUniforms {
   Camera camera;
   int number = 0;                    ///< of the sample of the frame
   PixelMask* mask = nullptr;         ///< of the pixels that are drawn; null: of all
+  // Of pictures that a frame's surfaces reflect. Drivers make a program anew for another test of the stencil, and a
+  // surface that sees the screen through itself has another program than one that does not: so these pictures are drawn
+  // by the frame's programs.
+  bool tests_stencil = false;     ///< without a mask: draws make a mask's test, which all pixels pass
+  bool has_empty_screen = false;  ///< where the frame's surfaces see the screen through themselves, they see
+                                  ///< what they would without it
   std::span<const int> hidden = {};  ///< instances that are not drawn
 };
+
+/// What a picture has beside its colours that a sample without a mask is drawn into.
+inline gl::Depths depthsFor(const SampleUniforms& sample) {
+  return sample.tests_stencil ? gl::Depths::with_stencil : gl::Depths::alone;
+}
 
 /// Suns that stand apart from the environment's cubes.
 struct SunUniforms {

@@ -18,23 +18,24 @@ Result<OpaquePicture> OpaquePicture::make(gl::Api api) {
   return OpaquePicture(std::move(program));
 }
 
-Result<void> OpaquePicture::take(const gl::Framebuffer& picture, const Camera& camera, float unit, int levels) {
-  const glm::ivec2 size(picture.width(), picture.height());
-  if (!picture_ || size != glm::ivec2(picture_->width(), picture_->height()) || levels_ != levels) {
-    MIRRORBALL_TRY(made, gl::Texture::make2d(gl::Format::rgba16f, size.x, size.y, levels));
-    picture_ = std::move(made);
-    levels_ = levels;
-  }
+Result<void> OpaquePicture::resize(glm::ivec2 size, int levels) {
+  if (picture_ && size == glm::ivec2(picture_->width(), picture_->height()) && levels_ == levels) return {};
+  MIRRORBALL_TRY(made, gl::Texture::make2d(gl::Format::rgba16f, size.x, size.y, levels));
+  picture_ = std::move(made);
+  levels_ = levels;
+  return {};
+}
+
+void OpaquePicture::take(const gl::Framebuffer& picture, const Camera& camera, float unit) {
   gl::drawOverAll();
   picture.color().bind(kPicture);
   picture.depth().bind(kDepths);
   target_.bind(*picture_, 0, 0);
-  program_.set("eye_from_texels", eyeFromTexels(camera, size));
+  program_.set("eye_from_texels", eyeFromTexels(camera, {picture.width(), picture.height()}));
   program_.set("unit", unit);
   program_.use();
   screen_.draw(3);
   if (picture_->levels() > 1) picture_->makeLevels();
-  return {};
 }
 
 }  // namespace mirrorball

@@ -18,14 +18,19 @@ class OpaquePicture {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<OpaquePicture> make(gl::Api api);
 
-  /// Copies what has been drawn. The framebuffer is another one then.
+  /// Makes room for a copy, unless there is such room.
   ///
-  /// picture  with depths, of the camera
-  /// unit     of length, in world units
   /// levels   of the copy: kAllLevels for rough surfaces, 1 where none is
   /// errors   too_large
-  Result<void> take(const gl::Framebuffer& picture, const Camera& camera, float unit, int levels);
+  Result<void> resize(glm::ivec2 size, int levels);
 
+  /// Copies what has been drawn. The framebuffer is another one then.
+  ///
+  /// picture  with depths, of the camera, of the size that there is room for
+  /// unit     of length, in world units
+  void take(const gl::Framebuffer& picture, const Camera& camera, float unit);
+
+  /// Of a copy that has room.
   const gl::Texture& picture() const { return *picture_; }
 
  private:

@@ -14,6 +14,16 @@ enum MaskUnit { kLast, kSum };
 constexpr GLuint kShowsThrough = 1;
 constexpr GLuint kChanges = 2;
 
+/// Begins a drawing of all pixels.
+///
+/// buffers   beside the colours and depths
+void clearAll(glm::vec4 page, GLbitfield buffers) {
+  glClearColor(page.x, page.y, page.z, page.w);
+  glClearStencil(kChanges);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | buffers);
+  PixelMask::limit();
+}
+
 }  // namespace
 
 Result<PixelMask> PixelMask::make(gl::Api api) {
@@ -24,20 +34,19 @@ Result<PixelMask> PixelMask::make(gl::Api api) {
   return PixelMask(std::move(page), std::move(choice));
 }
 
-void PixelMask::limit() const {
+void PixelMask::limit() {
   // The same for all samples: drivers make programs anew for another test.
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_NOTEQUAL, 0, kShowsThrough | kChanges);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
+void PixelMask::clearUnlimited(glm::vec4 page) { clearAll(page, GL_STENCIL_BUFFER_BIT); }
+
 void PixelMask::clear(glm::vec4 page) {
   if (next_choice_ == 0) {
-    glClearColor(page.x, page.y, page.z, page.w);
-    glClearStencil(kChanges);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (is_cleared_ ? 0u : GL_STENCIL_BUFFER_BIT));
+    clearAll(page, is_cleared_ ? 0u : GL_STENCIL_BUFFER_BIT);
     is_cleared_ = true;
-    limit();
     return;
   }
   limit();  // glClear asks no stencil
@@ -63,7 +72,7 @@ void PixelMask::endShowingThrough() const {
   limit();
 }
 
-void PixelMask::end() const { glDisable(GL_STENCIL_TEST); }
+void PixelMask::end() { glDisable(GL_STENCIL_TEST); }
 
 void PixelMask::choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum,
                        const Display& display, int count, int samples) {

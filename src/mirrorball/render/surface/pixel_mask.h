@@ -32,8 +32,12 @@ class PixelMask {
   /// and lets draws change no others until end().
   void clear(glm::vec4 page);
   /// Lets draws change the pixels alone that are drawn, of a framebuffer that tests the same stencil, until end().
-  void limit() const;
-  void end() const;
+  static void limit();
+  static void end();
+
+  /// Makes the framebuffer that is bound, which has a stencil of its own, ready for a drawing of all pixels that makes
+  /// the test of limit(), until end().
+  static void clearUnlimited(glm::vec4 page);
 
   /// Whether the mask wants to be told where something shows through surfaces: what is drawn between the next two
   /// calls, by whatever program, changes the mask alone.

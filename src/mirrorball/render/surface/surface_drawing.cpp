@@ -92,7 +92,8 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   decided.refraction = refractionOf(scene, material, settings.refraction);
   if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
   // What is seen through comes from the probe, which a surface with rays does not read.
-  const bool sees_probe_behind = settings.behind == BehindKind::probes && from_outside.transmission > 0.0f &&
+  const bool reads_probes_behind = settings.behind == BehindKind::probes || uniforms_.sample.has_empty_screen;
+  const bool sees_probe_behind = reads_probes_behind && from_outside.transmission > 0.0f &&
                                  !light_of_instance_.empty() && light_of_instance_[std::size_t(instance)] >= 0;
   decided.self_reflection = settings.self_reflection && uniforms_.scene.triangles != nullptr && !sees_probe_behind;
   const auto variant = [&](const Material& seen) {
@@ -118,10 +119,19 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   return from_inside;
 }
 
+std::vector<SurfaceVariant> SurfaceDrawing::variantsOf(const Scene& scene, const SceneBuffers& buffers,
+                                                       const FrameSettings& settings) const {
+  std::vector<SurfaceVariant> variants;
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
+    variants.push_back(variantOf(scene, instance, buffers, settings));
+  shareVariants(variants);
+  return variants;
+}
+
 bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
   return version == frame.version && coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
          has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
-         sun_count == frame.sun_count && captured == frame.captured && last_levels == frame.last_levels &&
+         sun_count == frame.sun_count && has_empty_screen == frame.has_empty_screen && captured == frame.captured && last_levels == frame.last_levels &&
          settings == frame.settings;
 }
 
@@ -166,7 +176,8 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
                 .eye_is_inside = eyeIsInside(),
                 .has_scene_triangles = uniforms_.scene.triangles != nullptr,
                 .light_of_instance = light_of_instance_,
-                .sun_count = uniforms_.light.suns.suns.size()};
+                .sun_count = uniforms_.light.suns.suns.size(),
+                .has_empty_screen = uniforms_.sample.has_empty_screen};
   for (const SurfaceLight& light : lights_) {
     list.captured.push_back(light.nearness != nullptr);
     list.last_levels.push_back(light.blur.last_level);
@@ -176,15 +187,14 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
-  const int instances = static_cast<int>(scene.instances.size());
   std::vector<SurfacePrograms::Programs::pointer> entries;
-  for (int instance = 0; instance < instances; ++instance) {
-    MIRRORBALL_TRY(entry, programs.submit(variantOf(scene, instance, buffers, settings)));
+  for (const SurfaceVariant& variant : variantsOf(scene, buffers, settings)) {
+    MIRRORBALL_TRY(entry, programs.submit(variant));
     entries.push_back(entry);
   }
-  for (int instance = 0; instance < instances; ++instance) {
-    MIRRORBALL_TRY_VOID(programs.finish(*entries[std::size_t(instance)], proxy));
-    list.draws.push_back(drawOf(scene, instance, *entries[std::size_t(instance)]));
+  for (const SurfacePrograms::Programs::pointer entry : entries) {
+    MIRRORBALL_TRY_VOID(programs.finish(*entry, proxy));
+    list.draws.push_back(drawOf(scene, static_cast<int>(list.draws.size()), *entry));
   }
   chooseDepthsFirst(scene, settings.size, list.draws);
   if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
@@ -303,10 +313,7 @@ std::vector<SurfaceVariant> SurfaceDrawing::variants(const Scene& scene, const S
                                                      const EnvironmentLight& light, const FrameUniforms& frame,
                                                      const FrameSettings& settings) {
   noteFrame(scene, light, frame, settings);
-  std::vector<SurfaceVariant> variants;
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
-    variants.push_back(variantOf(scene, instance, buffers, settings));
-  return variants;
+  return variantsOf(scene, buffers, settings);
 }
 
 Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(

@@ -80,6 +80,7 @@ class SurfaceDrawing {
     bool has_scene_triangles = false;
     std::vector<int> light_of_instance = {};
     std::size_t sun_count = 0;
+    bool has_empty_screen = false;
     std::vector<bool> captured = {};      ///< of each light: whether it has `nearness`
     std::vector<float> last_levels = {};  ///< of each light's chain
     std::vector<Draw> draws = {};         ///< of each instance
@@ -99,6 +100,8 @@ class SurfaceDrawing {
   void setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const FrameUniforms& frame,
                  const FrameSettings& settings);
   void draw(const Draw& draw, const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
+  std::vector<SurfaceVariant> variantsOf(const Scene& scene, const SceneBuffers& buffers,
+                                         const FrameSettings& settings) const;
   SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   void setFrame(const SurfacePrograms& programs, const FrameUniforms& frame, const FrameSettings& settings);

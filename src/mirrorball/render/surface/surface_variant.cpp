@@ -1,6 +1,7 @@
 #include "mirrorball/render/surface/surface_variant.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -265,6 +266,18 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::suns, lamps.suns == 0 ? SunsPart::none : SunsPart::shadowed);
   variant.sun_count = static_cast<std::uint8_t>(lamps.suns);
   return variant;
+}
+
+void shareVariants(std::span<SurfaceVariant> variants) {
+  std::set<SurfaceVariant> with_index;
+  for (const SurfaceVariant& variant : variants)
+    if (variant.constants.has_conductor_index) with_index.insert(variant);
+  if (with_index.empty()) return;
+  for (SurfaceVariant& variant : variants) {
+    SurfaceVariant shared = variant;
+    shared.constants.has_conductor_index = true;
+    if (with_index.contains(shared)) variant = std::move(shared);
+  }
 }
 
 }  // namespace mirrorball

@@ -123,6 +123,13 @@ struct LampCounts {
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
                               LampCounts lamps, const CoordinateChoice& coordinates = {});
 
+/// Lets surfaces share a program that differ only in a constant which saves less of a frame than a program more costs
+/// the first picture: whether a metal's complex index is known. The reflectance of a metal in the program of one with an
+/// index is 5 % more work for its pixels; on a software driver a program takes up to seconds to compile.
+///
+/// variants   of all surfaces of a frame
+void shareVariants(std::span<SurfaceVariant> variants);
+
 /// Whether reflected light comes from a row of lobes along the tangent: about the reflected ray of each fragment, and
 /// not where other coordinates are asked for.
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);

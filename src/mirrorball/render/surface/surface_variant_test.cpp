@@ -3,6 +3,7 @@
 
 #include "mirrorball/render/surface/surface_variant.h"
 
+#include <array>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -136,6 +137,17 @@ TEST(SurfaceVariant, WideLobesReadNoEnvironmentBesideItsChain) {
   EXPECT_TRUE(hasWideLobes(material, four, chain));
   material.roughness_map.texture = 0;
   EXPECT_FALSE(hasWideLobes(material, four, chain)) << "a map may be dark";
+}
+
+TEST(SurfaceVariant, MetalsWithAndWithoutAnIndexShareAProgram) {
+  std::array<SurfaceVariant, 3> variants;
+  variants[1].constants.has_conductor_index = true;
+  variants[2].lamp_count = 1;
+  const SurfaceVariant with_index = variants[1], lit_by_lamp = variants[2];
+  shareVariants(variants);
+  EXPECT_EQ(variants[0], with_index);
+  EXPECT_EQ(variants[1], with_index);
+  EXPECT_EQ(variants[2], lit_by_lamp) << "no other one is like it";
 }
 
 TEST(SurfaceVariant, MapsWithTheSameUnitReadOneSampler) {

@@ -17,8 +17,8 @@ bool isOfCamera(const CodedColor& color) {
 }
 
 /// Takes up what a file of integers holds, if it is a camera's: codes, or codes that are proportional to light and need
-/// no response. Of those all bits count, as the file has them, so that what was too bright for the camera is still known
-/// by it.
+/// no response. Of those all bits count, as the file has them, so that what was too bright for the camera is known by
+/// them.
 ///
 /// returns  whether it is
 bool takeCodes(std::variant<PictureCodes, PictureFractions> read, Photograph& photograph) {

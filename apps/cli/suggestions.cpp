@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/files.h"
@@ -130,6 +132,28 @@ std::optional<std::string> hintByParameter(const Command& command, const std::st
   return std::nullopt;
 }
 
+/// What to type for the parameter of materials that a word may be a slip of the finger for: "--set metallic=". Nothing
+/// where one of the options is as near. A parameter of which the word is only a part is not meant: many end in "scale".
+///
+/// options   with their dashes
+std::optional<std::string> settingNearest(const Command& command, std::string_view written,
+                                          const std::vector<std::string_view>& options) {
+  constexpr std::size_t kMostMissing = 3;
+  if (!hasOption(command, "set")) return std::nullopt;
+  std::map<std::string, std::string> typed;
+  for (const Synonyms& row : kOptionSynonyms)
+    if (row.name == "set")
+      for (const std::string& word : split(row.words, ' ')) typed.emplace(word, row.typed);
+  for (const Option<Material>& parameter : materialParameters())
+    typed.emplace(parameter.text.name, "--set " + std::string(parameter.text.name) + "=");
+  std::vector<std::string_view> words = options;
+  for (const auto& [word, setting] : typed) words.push_back(word);
+  const auto nearest = nearestWord(written, words);
+  const auto found = nearest ? typed.find(std::string(*nearest)) : typed.end();
+  if (found == typed.end() || found->first.size() > squashed(written).size() + kMostMissing) return std::nullopt;
+  return found->second;
+}
+
 }  // namespace
 
 std::optional<std::string> hintForOption(const Command& command, std::string_view written) {
@@ -145,8 +169,10 @@ std::optional<std::string> hintForOption(const Command& command, std::string_vie
     if (!option.text.also.empty()) options.push_back(dashed(option.text.also));
   }
   const std::vector<std::string_view> names(options.begin(), options.end());
-  if (const auto nearest = nearestWord(written, names)) return didYouMean(std::string(*nearest));
-  return std::nullopt;
+  std::vector<std::string> meant;
+  if (auto setting = settingNearest(command, written, names)) meant.push_back(std::move(*setting));
+  if (const auto nearest = nearestWord(written, names)) meant.emplace_back(*nearest);
+  return meant.empty() ? std::nullopt : std::optional(didYouMean(join(meant, ", ", " or ")));
 }
 
 std::optional<std::string> hintForWord(const Command& command, const std::string& word) {

@@ -53,6 +53,16 @@ TEST_F(SuggestionTest, AParameterOfMaterialsIsSet) {
                {"render --texture a.png", "did you mean --set base_color_map=?"}});
 }
 
+TEST_F(SuggestionTest, AParameterMayBeMisspelt) {
+  expectHints({{"render --roughnes 0.3", "did you mean --set perceptual_roughness= or --ground-roughness?"},
+               {"render --metalnes 1", "did you mean --set metallic=?"},
+               {"render --transmision 1", "did you mean --set transmission=?"},
+               {"render --basecolour 1,0,0", "did you mean --set base_color=?"},
+               {"render --exposur 1", "did you mean --exposure?"},
+               {"render --sampels 4", "did you mean --samples?"}});
+  EXPECT_THAT(refuse(2, "render --scale 2"), Not(HasSubstr("_scale")));
+}
+
 TEST_F(SuggestionTest, AnInputHasNoOption) {
   expectHints({{"convert --input a.hdr -o b.exr", "name it without an option: mirrorball convert IN…"},
                {"convert -i a.hdr -o b.exr", "name it without an option: mirrorball convert IN…"},

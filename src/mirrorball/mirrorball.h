@@ -48,6 +48,7 @@
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/render/frame/view.h"
+#include "mirrorball/render/frame/warm_up.h"
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"

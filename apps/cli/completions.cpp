@@ -34,12 +34,27 @@ std::string namesText(std::span<const Command> commands) {
   return names;
 }
 
-/// The words that a command's arguments may be.
-std::string argumentWords(const Command& command) {
+/// Whether the first argument is one of some words, and the others are something else: what is to be done with those.
+bool beginsWithWord(const Command& command) {
+  const auto& arguments = command.arguments;
+  return arguments.size() > 1 && arguments.front().names != nullptr && !arguments.front().takes_path;
+}
+
+std::string joinedNames(std::span<const Argument> arguments) {
   std::string words;
-  for (const Argument& argument : command.arguments)
+  for (const Argument& argument : arguments)
     if (argument.names != nullptr) words += (words.empty() ? "" : " ") + join(argument.names(), " ");
   return words;
+}
+
+/// The words that a command's first argument may be, where the others are something else.
+std::string firstWords(const Command& command) {
+  return beginsWithWord(command) ? joinedNames(std::span(command.arguments).first(1)) : std::string();
+}
+
+/// The words that its arguments may be, or those behind such a one.
+std::string argumentWords(const Command& command) {
+  return joinedNames(std::span(command.arguments).subspan(beginsWithWord(command) ? 1 : 0));
 }
 
 bool takesPaths(const Command& command) {
@@ -126,8 +141,10 @@ std::string bashCompletionOf(std::span<const Command> commands) {
         "    " + std::string(command.name) + ")\n      flags=" + inQuotes(flagsOf(command)) + "\n      case $prev in\n";
     for (const CommandOption& option : command.options)
       if (!option.is_flag) text += "  " + bashCase(option);
-    text += "        *) words=" + inQuotes(argumentWords(command)) + (takesPaths(command) ? "; paths=1" : "") +
-            " ;;\n      esac\n      ;;\n";
+    text += "        *) words=" + inQuotes(argumentWords(command)) + (takesPaths(command) ? "; paths=1" : "");
+    if (const std::string first = firstWords(command); !first.empty())
+      text += "; ((COMP_CWORD == 2)) && words=" + inQuotes(first) + " paths=";
+    text += " ;;\n      esac\n      ;;\n";
   }
   return text +
          "  esac\n"
@@ -156,8 +173,10 @@ std::string zshCompletionOf(std::span<const Command> commands) {
     std::string action = takesPaths(command) ? "_files" : "(" + words + ")";
     if (takesPaths(command) && !words.empty())
       action = "{_alternative \"names:name:(" + words + ")\" \"files:file:_files\"}";
+    if (const std::string first = firstWords(command); !first.empty())
+      text += "      " + inQuotes("1:" + std::string(command.arguments.front().name) + ":(" + first + ")") + " \\\n";
     if (!command.arguments.empty())
-      text += "      " + inQuotes("*:" + std::string(command.arguments.front().name) + ":" + action) + " \\\n";
+      text += "      " + inQuotes("*:" + std::string(command.arguments.back().name) + ":" + action) + " \\\n";
     text += "      '--help[Print this help]'\n      ;;\n";
   }
   return text + "  esac\n}\n_mirrorball \"$@\"\n";
@@ -174,7 +193,7 @@ std::string fishCompletionOf(std::span<const Command> commands) {
           "' -a help -d 'Tells what a command takes'\n";
   for (const Command& command : commands) {
     text += "complete -c mirrorball -f -n '__fish_seen_subcommand_from help' -a " + std::string(command.name) + "\n";
-    if (const std::string words = argumentWords(command); !words.empty())
+    if (const std::string words = joinedNames(command.arguments); !words.empty())
       text += "complete -c mirrorball -n '__fish_seen_subcommand_from " + std::string(command.name) + "' -a " +
               inQuotes(words) + "\n";
     if (!takesPaths(command))

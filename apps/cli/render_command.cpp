@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/formatted.h"
+#include "cli/picture_request.h"
 #include "cli/render_frames.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
@@ -66,15 +67,11 @@ const auto kPictureFormOptions = std::to_array<Option<PictureForm>>({
 });
 
 /// All that `render` was told.
-struct RenderRequest {
-  SceneRequest scene;
+struct RenderRequest : PictureRequest {
   RenderFiles files;
   PictureForm form;
-  FrameSettings frame;
-  MaterialChanges materials;
   Turntable turntable;
   ReferenceOptions reference;
-  GivenOptions given;
 };
 
 /// Whether pictures are to go over the length of an animation.
@@ -85,7 +82,7 @@ bool playsAnimation(const RenderRequest& request) {
 
 /// Whether pictures are to make a full turn.
 bool turns(const RenderRequest& request) {
-  return request.turntable.frames > 0 && (!playsAnimation(request) || request.given.contains("turn"));
+  return request.turntable.frames > 0 && (!playsAnimation(request) || request.stated.contains("turn"));
 }
 
 /// errors   usage: a film is asked for
@@ -124,11 +121,11 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   MIRRORBALL_TRY_VOID(checkWritable(output));
   MIRRORBALL_TRY_VOID(checkStatesPrimaries(output, request.form.primaries, {Holds::light, Holds::picture}));
   if (request.form.gain_map) MIRRORBALL_TRY_VOID(checkHoldsGainMap(output));
-  if (request.form.gain_map && request.given.contains("resolve") && settings.resolve == Resolve::display)
+  if (request.form.gain_map && request.stated.contains("resolve") && settings.resolve == Resolve::display)
     return fail(ErrorCode::usage,
                 "--gain-map holds radiance, and --resolve display averages what a display shows of "
                 "it; leave one of them out");
-  GivenOptions given = request.given;
+  GivenOptions given = request.stated;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
   if (request.turntable.frames == 0 && hasNumberPlace(output))
@@ -138,13 +135,6 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   if (settings.background == BackgroundKind::transparent && !keeps_alpha)
     return fail(ErrorCode::usage, output + ": ." + extension + " has no transparency; write .png or .exr");
   return {};
-}
-
-/// The showcase without an environment stands where it looks best.
-void setTheStage(RenderRequest& request) {
-  if (request.scene.model != "showcase" || request.given.contains("env")) return;
-  if (!hasSunset()) remark("this build reads no OpenEXR, and so has no sunset: the showcase is in the studio");
-  setShowcase(request.given, request.scene.environment, request.frame);
 }
 
 /// Draws what is asked for: one picture, or one after the other.
@@ -164,13 +154,11 @@ Result<void> renderAll(Renderer& renderer, FrameSettings settings, const RenderR
 
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
-  FrameSettings settings = request.frame;
-  MIRRORBALL_TRY_VOID(checkSettings(settings, request.given));
-  standOnGround(settings);
-  MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
+  MIRRORBALL_TRY(settings, checkedFrame(request));
+  MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.stated));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (request.reference.is_wanted)
-    return renderReference(request.scene, request.materials, settings, request.reference, request.given,
+    return renderReference(request.scene, request.materials, settings, request.reference, request.stated,
                            request.files.output, request.form);
   if (storesLinearLight(request.files.output) || request.form.gain_map) settings.resolve = Resolve::radiance;
   PictureFiles outputs{{request.files.output}, request.form};
@@ -180,11 +168,11 @@ Result<void> render(const RenderRequest& request) {
   }
   if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs.paths, clock));
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.stated, outputs.paths, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkShown(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
-  remarkOnIdleOptions(renderer.scene(), settings, request.given);
+  remarkOnIdleOptions(renderer.scene(), settings, request.stated);
   const Result<void> drawn = renderAll(renderer, settings, request, outputs, clock);
   if (request.scene.timings) clock.print();
   if (drawn)
@@ -196,7 +184,6 @@ Result<void> render(const RenderRequest& request) {
 
 Command renderCommand() {
   auto request = std::make_shared<RenderRequest>();
-  request->scene.wish.quality = Quality::good;
   Command command{
       .name = "render",
       .help = "Shows a model in an environment",
@@ -207,18 +194,13 @@ Command renderCommand() {
           {"render helmet.glb -e room.hdr --stand -o helmet.png", "a model that stands on the floor of a room"},
           {"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"}}};
   addModel(command, "MODEL", request->scene);
-  addOptions(command, sceneOptions(), request->scene, &request->given);
-  addOptions(command, stanceOptions(), request->scene.stance);
-  addOptions(command, qualityOptions(), request->scene.wish, &request->given);
+  addPictureOptions(command, *request);
   addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, kPictureFormOptions, request->form);
-  addOptions(command, frameOptions(), request->frame, &request->given);
-  addOptions(command, turntableOptions(), request->turntable, &request->given);
-  addReference(command, request->reference, request->given);
-  addOptions(command, materialOptions(), request->materials, &request->given);
+  addOptions(command, turntableOptions(), request->turntable, &request->stated);
+  addReference(command, request->reference, request->stated);
   command.action = [request] {
     setTheStage(*request);
-    request->frame.proxy.load.inside_only = request->scene.inside_only;
     request->scene.objects_move = request->turntable.turn == Turn::object;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });

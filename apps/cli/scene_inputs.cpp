@@ -46,14 +46,16 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
 
 std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
 
+Argument modelArgument(std::string_view name, const std::string& usual) {
+  return {.name = name,
+          .help = "a file (" + modelExtensions() + "), - for standard input, or a built-in: " +
+                  join(builtinModelNames(), " ") + " (default " + usual + ")",
+          .names = builtinModelNames,
+          .takes_path = true};
+}
+
 void addModel(Command& command, std::string_view name, SceneRequest& request) {
-  addArgument(command,
-              {.name = name,
-               .help = "a file (" + modelExtensions() + "), - for standard input, or a built-in: " +
-                       join(builtinModelNames(), " ") + " (default " + request.model + ")",
-               .names = builtinModelNames,
-               .takes_path = true},
-              request.model);
+  addArgument(command, modelArgument(name, request.model), request.model);
 }
 
 namespace {

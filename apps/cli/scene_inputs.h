@@ -33,7 +33,12 @@ struct SceneRequest {
 /// The table of them, but for the model.
 std::span<const Option<SceneRequest>> sceneOptions();
 
-/// Adds the model, which may be left out, as a positional argument of that name.
+/// A model, which may be left out, as a positional argument of that name.
+///
+/// usual   the model without it
+Argument modelArgument(std::string_view name, const std::string& usual);
+
+/// Adds the model.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
 /// The user's cache folder, if there is one and it is to be used; remarks on one that cannot be used.

@@ -1,9 +1,10 @@
 // What `render` keeps in the user's cache folder and takes from there: prefiltered environments, which `bake` never
-// does, and the occlusion of models.
+// does, and the occlusion of models; and what the driver keeps of its programs.
 
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -102,7 +103,7 @@ TEST_F(CacheCliTest, CacheShowsAndClearsIt) {
   how.environment["MIRRORBALL_CACHE_SIZE"] = "much";
   EXPECT_THAT(refuse(2, "cache", how), HasSubstr("MIRRORBALL_CACHE_SIZE: 'much'"));
   EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 -o metal.exr", how), HasSubstr("MIRRORBALL_CACHE_SIZE"));
-  EXPECT_THAT(refuse(2, "cache empty", withCache("cache")), HasSubstr("show, clear"));
+  EXPECT_THAT(refuse(2, "cache empty", withCache("cache")), HasSubstr("show, clear, warm"));
   EXPECT_THAT(succeed("cache", {.environment = {{"MIRRORBALL_CACHE", ""}}}), HasSubstr("there is no cache"));
 }
 
@@ -131,6 +132,87 @@ TEST_F(CacheCliTest, RenderKeepsTheOcclusionOfAModel) {
   draw("--self-reflection");
   EXPECT_EQ(occlusionFiles().size(), 2u) << "which asks for more";
   EXPECT_THAT(succeed("cache clear", withCache("cache")), ::testing::HasSubstr("removed      4 files, "));
+}
+
+/// With a folder for the driver's own cache.
+class DriverCacheCliTest : public CacheCliTest {
+ protected:
+  void SetUp() override {
+    CacheCliTest::SetUp();
+    write("map.exr", smoothPanorama());
+    succeed("cache show", withBoth("probe"));
+    if (!fs::exists(path("probe-driver"))) GTEST_SKIP() << "this driver does not go by MESA_SHADER_CACHE_DIR";
+  }
+
+  /// Fresh folders for the program and for Mesa, unless there are some of that name.
+  Start withBoth(const std::string& name) const {
+    return {.environment = {{"MIRRORBALL_CACHE", path(name).string()},
+                            {"MESA_SHADER_CACHE_DIR", path(name + "-driver").string()},
+                            {"MESA_SHADER_CACHE_DISABLE", "false"}}};
+  }
+
+  /// The files that are there of both.
+  std::set<std::string> keptIn(const std::string& name) const {
+    std::set<std::string> kept;
+    for (const std::string& folder : {name, name + "-driver"})
+      if (fs::exists(path(folder)))
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path(folder)))
+          if (entry.is_regular_file()) kept.insert(fs::relative(entry.path(), path("")).string());
+    return kept;
+  }
+};
+
+TEST_F(DriverCacheCliTest, ShowTellsOfItAndClearLeavesIt) {
+  using ::testing::HasSubstr;
+  Start how = withBoth("cache");
+  succeed("render sphere -e map.exr --material rough-metal --size 8x8 -o metal.exr", how);
+  const std::set<std::string> kept = keptIn("cache");
+  const std::string folder = (path("cache-driver") / "mesa_shader_cache").string();
+  const std::string shown = succeed("cache", how);
+  EXPECT_THAT(shown, HasSubstr("\nfolder       " + folder));
+  EXPECT_THAT(shown, HasSubstr("is           on (MESA_SHADER_CACHE_DISABLE)"));
+  EXPECT_THAT(shown, HasSubstr("holds        " + std::to_string(kept.size() - 2) + " files, ")) << "without our 2";
+  EXPECT_THAT(shown, HasSubstr("compiled shaders"));
+  succeed("cache clear", how);
+  EXPECT_EQ(keptIn("cache").size(), kept.size() - 2);
+  how.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  EXPECT_THAT(succeed("cache", how), HasSubstr("is           off (MESA_SHADER_CACHE_DISABLE)"));
+}
+
+TEST_F(DriverCacheCliTest, AfterWarmARenderHasNothingToCompileOrToPrepare) {
+  for (const std::string line : {"sphere -e map.exr --material rough-metal --quality draft --size 256x128",
+                                 "teapot -e map.exr --material glass --stand --quality good --size 320x180",
+                                 "sphere -e map.exr --probes 1 --quality draft --samples 1 --size 320x240"}) {
+    for (const char* name : {"cold", "warm"})
+      for (const char* of : {"", "-driver"}) fs::remove_all(path(name + std::string(of)));
+    succeed("render " + line + " --quiet -o cold.png", withBoth("cold"));
+    EXPECT_GT(keptIn("cold").size(), 5u) << "else nothing is compared: " << line;
+    EXPECT_EQ(succeed("cache warm " + line + " --quiet", withBoth("warm")), "");
+    const std::set<std::string> prepared = keptIn("warm");
+    succeed("render " + line + " --quiet -o warm.png", withBoth("warm"));
+    EXPECT_EQ(keptIn("warm"), prepared) << line;
+    EXPECT_TRUE(bytes("warm.png") == bytes("cold.png")) << line;
+  }
+}
+
+TEST_F(DriverCacheCliTest, WarmTellsOfEachModelAndWritesNoPicture) {
+  const std::vector<std::string> before = files();
+  EXPECT_EQ(succeed("cache warm sphere cube -e map.exr --quality draft --size 64x64", withBoth("probe")),
+            "ready        sphere\nready        cube\n");
+  for (const std::string& name : files())
+    EXPECT_TRUE(name.starts_with("probe") || std::ranges::find(before, name) != before.end()) << name;
+  Start how = withBoth("probe");
+  how.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  EXPECT_THAT(run("cache warm sphere -e map.exr --quality draft --size 8x8", how).err,
+              ::testing::HasSubstr("note: the driver's cache is off (MESA_SHADER_CACHE_DISABLE)"));
+}
+
+TEST_F(CacheCliTest, WhatWarmTakesIsForWarmAlone) {
+  using ::testing::HasSubstr;
+  EXPECT_THAT(refuse(2, "cache show teapot"), HasSubstr("'teapot' is for `cache warm`"));
+  EXPECT_THAT(refuse(2, "cache clear --env studio"), HasSubstr("--env is for `cache warm`"));
+  EXPECT_THAT(refuse(2, "cache warm teapot --no-cache"), HasSubstr("--no-cache leaves the cache as it is"));
+  EXPECT_THAT(refuse(1, "cache warm missing.glb"), HasSubstr("missing.glb: no such file"));
 }
 
 TEST_F(CacheCliTest, BakeNeitherReadsNorFillsIt) {

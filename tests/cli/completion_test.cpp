@@ -54,7 +54,7 @@ class CompletionTest : public CliTest {
 
 TEST_F(CompletionTest, BashOffersCommandsOptionsAndTheirValues) {
   if (!isInstalled("bash")) GTEST_SKIP() << "there is no bash";
-  write("room.exr", std::string());
+  write("hall.exr", std::string());
   EXPECT_THAT(offers({"re"}), ElementsAre("render", "reference"));
   EXPECT_THAT(offers({"help", "conv"}), ElementsAre("convert"));
   EXPECT_THAT(offers({"render", "--tone"}), ElementsAre("--tone-map"));
@@ -64,11 +64,13 @@ TEST_F(CompletionTest, BashOffersCommandsOptionsAndTheirValues) {
   EXPECT_THAT(offers({"convert", "--to", "eq"}), ElementsAre("equirect", "equal-area"));
   EXPECT_THAT(offers({"convert", "--for", "="}), IsSupersetOf({"unity", "three"}));
   EXPECT_THAT(offers({"render", "--material", "g"}), ElementsAre("glass", "gold"));
-  EXPECT_THAT(offers({"convert", "ro"}), ElementsAre("room.exr"));
+  EXPECT_THAT(offers({"convert", "hal"}), ElementsAre("hall.exr"));
   EXPECT_THAT(offers({"bake", "--env", ""}), Contains("studio")) << "it is no option there, and an input may follow";
-  EXPECT_THAT(offers({"render", "-e", ""}), IsSupersetOf({"studio", "room.exr"}));
+  EXPECT_THAT(offers({"render", "-e", ""}), IsSupersetOf({"studio", "hall.exr"}));
   EXPECT_THAT(offers({"render", "--samples", ""}), ElementsAre()) << "a number";
-  EXPECT_THAT(offers({"cache", ""}), ElementsAre("show", "clear"));
+  EXPECT_THAT(offers({"cache", ""}), ElementsAre("show", "clear", "warm"));
+  EXPECT_THAT(offers({"cache", "warm", ""}), Contains("teapot"));
+  EXPECT_THAT(offers({"cache", "warm", "sho"}), ElementsAre("showcase"));
 }
 
 TEST_F(CompletionTest, BashOffersEveryOptionThatHelpHas) {

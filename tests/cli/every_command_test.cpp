@@ -60,6 +60,7 @@ std::vector<Call> calls() {
       {"transfer", "transfer square.obj square.obj --size 16 -o out.png", {"square.obj"}},
       {"reference", "reference", {}, false},
       {"cache", "cache", {}, false},
+      {"cache_warm", "cache warm square.obj -e map.exr --size 24x16 --quality draft", {"square.obj", "map.exr"}, false},
   };
 }
 

@@ -111,6 +111,20 @@ TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
   EXPECT_THAT(shown, HasSubstr("\r\033[Kmirrorball: interrupted after "));
 }
 
+TEST_F(InterruptRenderTest, WhatWarmsTheCachesShowsHowManyProgramsAreLeft) {
+  Program program({.arguments = Arguments("cache warm showcase --quality good").words,
+                   .folder = path(""),
+                   .environment = {{"MESA_SHADER_CACHE_DIR", path("driver").string()}},
+                   .cores = 1,
+                   .on_terminal = true});
+  program.waitUntilShown(" programs, ");
+  program.interrupt();
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.signal, SIGINT) << "ended with " << outcome.exit_code;
+  EXPECT_THAT(outcome.err, ContainsRegex("showcase \\[#*\\.*\\] [0-9]+/[0-9]+ programs, [0-9]+ s left"));
+  EXPECT_THAT(outcome.err, HasSubstr("mirrorball: interrupted; what was prepared until now stays in the caches"));
+}
+
 /// A quarter of a second is what work may take to stop by itself; the rest is for a machine that does much else.
 constexpr std::chrono::seconds kSoonInterrupted(5);
 

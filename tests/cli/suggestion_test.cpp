@@ -74,7 +74,7 @@ TEST_F(SuggestionTest, AnInputHasNoOption) {
 TEST_F(SuggestionTest, WhatNothingMeansIsNotSuggested) {
   for (const std::string line :
        {"convert a.hdr --json", "bake a.hdr --projection cube", "bake a.hdr --roughness 1", "bake a.hdr --exposure 1",
-        "reference --input a", "cache --env a", "render --wireframe", "info a.hdr --size 3", "render --flip both"})
+        "reference --input a", "reference --env a", "render --wireframe", "info a.hdr --size 3", "render --flip both"})
     EXPECT_THAT(refuse(2, line), AllOf(StartsWith("there is no option --"), Not(HasSubstr("did you mean")),
                                        Not(HasSubstr("without an option"))))
         << line;

@@ -6,6 +6,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/gl/context_state.h"
+#include "mirrorball/gl/driver_cache.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/handle.h"
 #include "mirrorball/gl/platform/gl_string.h"
@@ -60,6 +61,13 @@ Result<Context> Context::adoptCurrent() {
   return Context(std::make_unique<State>(State{nullptr, api, currentContext()}));
 }
 
+Result<Context> Context::share() const {
+  std::unique_ptr<PlatformContext> made = state_->own ? state_->own->share() : nullptr;
+  if (!made || !made->makeCurrent()) return fail(ErrorCode::no_gl, "the graphics driver makes no context that shares");
+  setOurState(state_->api);
+  return Context(std::make_unique<State>(State{std::move(made), state_->api, 0}));
+}
+
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
@@ -106,6 +114,11 @@ const std::string& Context::renderer() const { return state_->renderer; }
 const std::string& Context::version() const { return state_->version; }
 bool Context::filtersFloats() const { return state_->filters_floats; }
 float Context::largestAnisotropy() const { return state_->largest_anisotropy; }
+bool Context::compilesWhenDrawing() const {
+  if (!renderer().starts_with("llvmpipe")) return false;
+  const std::optional<DriverCache> cache = findDriverCache(version());
+  return cache && cache->is_on.value_or(false);
+}
 int Context::largestTexture() const { return state_->largest_texture; }
 
 }  // namespace mirrorball::gl

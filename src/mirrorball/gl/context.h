@@ -35,6 +35,12 @@ class Context {
   /// errors   no_gl: none is current, or it is older than OpenGL 4.3 and OpenGL ES 3.0
   static Result<Context> adoptCurrent();
 
+  /// Makes a context that has the textures, buffers, samplers and programs of this one, and makes it current in the
+  /// calling thread. Framebuffers and vertex arrays are each context's own.
+  ///
+  /// errors   no_gl: this context was taken over, or the driver makes no such context
+  Result<Context> share() const;
+
   Context(Context&&) noexcept;
   Context& operator=(Context&&) noexcept;
   ~Context();
@@ -66,6 +72,9 @@ class Context {
   bool filtersFloats() const;
   /// The largest Sampling::anisotropy; 1 where the driver has no EXT_texture_filter_anisotropic.
   float largestAnisotropy() const;
+  /// Whether it compiles a program in the thread that first draws with it, and keeps what it has compiled for other
+  /// contexts: Mesa's software driver, unless its cache is off.
+  bool compilesWhenDrawing() const;
   int largestTexture() const;  ///< the longest side in texels of a 2D texture or a framebuffer
 
  private:

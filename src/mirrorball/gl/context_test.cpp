@@ -1,5 +1,6 @@
 #include "mirrorball/gl/context.h"
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 
@@ -9,6 +10,8 @@
 
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/gl/sharing_contexts.h"
+#include "mirrorball/gl/texture.h"
 #include "test_data.h"
 
 namespace mirrorball::gl {
@@ -65,6 +68,45 @@ TEST_P(ContextTest, TheCurrentOneCanBeAdoptedAndStaysItsOwners) {
     EXPECT_EQ(adopted->largestTexture(), owner.largestTexture());
   }
   EXPECT_TRUE(glIsTexture(owned)) << "the same context is still there and current";
+}
+
+TEST_P(ContextTest, OthersShareItsTexturesInThreadsOfTheirOwn) {
+  MIRRORBALL_NEEDS_GL(context, GetParam());
+  const Result<Texture> made = Texture::make2d(Format::rgba8, 1, 1);
+  ASSERT_TRUE(made);
+  std::atomic<int> sharing = 0;
+  const auto work = [&]() -> Result<void> {
+    sharing += glIsTexture(made->name()) == GL_TRUE ? 1 : 0;
+    return {};
+  };
+  ASSERT_TRUE(inSharingContexts(context, 3, work));
+  EXPECT_EQ(sharing, 3);
+  EXPECT_TRUE(glIsTexture(made->name())) << "the calling thread still has its own";
+}
+
+TEST(Context, WhatFailsInAThreadThatSharesIsTold) {
+  MIRRORBALL_NEEDS_GL(context, Api::desktop43);
+  std::atomic<int> calls = 0;
+  const auto failing = [&]() -> Result<void> {
+    if (++calls == 2) return fail(ErrorCode::unsupported, "the second");
+    return {};
+  };
+  const Result<void> result = inSharingContexts(context, 2, failing);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message, "the second");
+}
+
+TEST(Context, OneThatIsTakenOverIsNotShared) {
+  MIRRORBALL_NEEDS_GL(owner, Api::desktop43);
+  const Result<Context> adopted = Context::adoptCurrent();
+  ASSERT_TRUE(adopted);
+  EXPECT_FALSE(adopted->share());
+  std::atomic<int> calls = 0;
+  EXPECT_TRUE(inSharingContexts(*adopted, 3, [&]() -> Result<void> {
+    ++calls;
+    return {};
+  }));
+  EXPECT_EQ(calls, 1) << "the calling thread does all of it";
 }
 
 TEST(Context, WithoutACurrentOneThereIsNothingToAdopt) {

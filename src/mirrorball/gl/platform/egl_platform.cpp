@@ -115,12 +115,13 @@ bool hasLibrary(Api api) {
   return dlopen("libOpenGL.so.0", RTLD_LAZY) != nullptr || dlopen("libGL.so.1", RTLD_LAZY) != nullptr;
 }
 
-EGLContext createContext(EGLDisplay display, Api api) {
+/// shared   whose objects it has, too; EGL_NO_CONTEXT: none's
+EGLContext createContext(EGLDisplay display, Api api, EGLContext shared) {
   constexpr EGLint kDesktop[] = {
       EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   constexpr EGLint kEmbedded[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
-  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, api == Api::desktop43 ? kDesktop : kEmbedded);
+  return eglCreateContext(display, EGL_NO_CONFIG_KHR, shared, api == Api::desktop43 ? kDesktop : kEmbedded);
 }
 
 /// Says what a driver that refuses our version offers instead.
@@ -157,6 +158,13 @@ class EglContext : public PlatformContext {
     return eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
 
+  std::unique_ptr<PlatformContext> share() override {
+    if (!bindApi(api_)) return nullptr;
+    EGLContext made = createContext(display_->handle, api_, context_);
+    if (made == EGL_NO_CONTEXT) return nullptr;
+    return std::make_unique<EglContext>(display_, made, api_);
+  }
+
  private:
   std::shared_ptr<Display> display_;
   EGLContext context_;
@@ -188,7 +196,7 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
       tried += std::string(" (without ") + nameOf(api) + ")";
       continue;
     }
-    EGLContext handle = createContext(display->handle, api);
+    EGLContext handle = createContext(display->handle, api, EGL_NO_CONTEXT);
     if (handle == EGL_NO_CONTEXT) {
       if (too_old.empty()) too_old = describeOldDriver(display->handle, api);
       continue;

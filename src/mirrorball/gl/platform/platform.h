@@ -22,6 +22,10 @@ class PlatformContext {
   /// Makes it current in the calling thread, unless it is; false where that is refused.
   virtual bool makeCurrent() = 0;
 
+  /// Makes another context, of whatever thread, that has this one's textures, buffers and programs; null where the
+  /// driver refuses it.
+  virtual std::unique_ptr<PlatformContext> share() = 0;
+
  protected:
   PlatformContext() = default;
 };

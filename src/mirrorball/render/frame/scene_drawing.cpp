@@ -26,18 +26,6 @@ bool showsGroundMirror(const FrameSettings& settings) {
   return settings.background == BackgroundKind::environment && settings.proxy.mirrorsScene();
 }
 
-/// Whether surfaces are laid over each other, or hide each other.
-void setBlending(bool is_blended) {
-  if (is_blended) {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-  } else {
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-  }
-}
-
 /// Makes a picture that is bound ready to be drawn into.
 void clear(const SampleUniforms& sample, glm::vec4 page) {
   if (sample.mask) return sample.mask->clear(page);
@@ -84,7 +72,7 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   frame.screen.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
-  return beginSurfaces(light, frame, settings);
+  return beginSurfaces(target, light, frame, settings);
 }
 
 /// Draws what sees the screen, on what has been drawn.
@@ -229,10 +217,12 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::vector<ScreenLayer> layers;
   if (settings.behind == BehindKind::screen && !frame.sample.has_empty_screen)
     layers = screenLayers(scene(), staged_->boxes(), staged_->bounds().radius, order, settings);
-  if (frame.sample.has_empty_screen) frame.screen.opaque_picture = &opaque_picture_->picture();
+  // Which what sees the screen is compiled for.
+  if (settings.behind == BehindKind::screen && opaque_picture_)
+    frame.screen.opaque_picture = &opaque_picture_->picture();
   if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
-  MIRRORBALL_TRY_VOID(beginSurfaces(light, frame, settings));
+  MIRRORBALL_TRY_VOID(beginSurfaces(target, light, frame, settings));
   target.bind();
   clear(frame.sample, pageOf(settings));
   glDisable(GL_BLEND);
@@ -320,11 +310,12 @@ void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameU
   }
 }
 
-Result<void> SceneDrawing::beginSurfaces(const EnvironmentLight& light, const FrameUniforms& frame,
-                                         const FrameSettings& settings) {
+Result<void> SceneDrawing::beginSurfaces(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                         const FrameUniforms& frame, const FrameSettings& settings) {
   // Where the instances are makes no difference to how they are drawn.
   const std::uint64_t version = staged_->version(StagePart::scene & ~StagePart::transforms);
-  return surfaces_.begin(device_->surfaces(), scene(), staged_->buffers(), version, light, frame, settings);
+  return surfaces_.begin(device_->surfaces(), {device_->context, target}, scene(), staged_->buffers(), version, light,
+                         frame, settings);
 }
 
 void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings) {

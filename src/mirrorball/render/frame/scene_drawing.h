@@ -82,7 +82,8 @@ class SceneDrawing {
   Result<void> drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings);
   Result<void> drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                         const FrameSettings& settings);
-  Result<void> beginSurfaces(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  Result<void> beginSurfaces(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
+                             const FrameSettings& settings);
   Result<void> filterMaps(TextureFilter filter);
   Result<void> makeBodies(const FrameSettings& settings, const SampleUniforms& sample, SceneUniforms& uniforms);
   Result<void> makeSceneTriangles(const FrameSettings& settings, SceneUniforms& uniforms);

@@ -89,13 +89,14 @@ Difference differenceOf(const Image& a, const Image& b) {
 /// Draws one sample a pixel of the scene's only instance, in the light of the compass.
 class Drawing {
  public:
-  static Result<Drawing> make(gl::Api api, bool filters_floats) {
+  /// context   outlives it
+  static Result<Drawing> make(const gl::Context& context) {
     MIRRORBALL_TRY(prepared, testing::prepareOnce(layerCompass()));
-    MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
+    MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, context.filtersFloats()));
     MIRRORBALL_TRY(table, surfaceBrdfTable());
-    MIRRORBALL_TRY(programs, SurfacePrograms::make(api, table));
+    MIRRORBALL_TRY(programs, SurfacePrograms::make(context.api(), table));
     MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, kSide_px, kSide_px, gl::Depths::alone));
-    return Drawing(std::move(light), std::move(programs), std::move(framebuffer));
+    return Drawing(context, std::move(light), std::move(programs), std::move(framebuffer));
   }
 
   /// units   that the material has
@@ -110,7 +111,8 @@ class Drawing {
     settings.samples = 1;
     settings.texture_filter = filter;
     SurfaceDrawing surfaces;
-    MIRRORBALL_TRY_VOID(surfaces.begin(programs_, scene, buffers, 1, light_, frame, settings));
+    MIRRORBALL_TRY_VOID(
+        surfaces.begin(programs_, {*context_, framebuffer_}, scene, buffers, 1, light_, frame, settings));
     framebuffer_.bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -120,9 +122,13 @@ class Drawing {
   }
 
  private:
-  Drawing(EnvironmentLight light, SurfacePrograms programs, gl::Framebuffer framebuffer)
-      : light_(std::move(light)), programs_(std::move(programs)), framebuffer_(std::move(framebuffer)) {}
+  Drawing(const gl::Context& context, EnvironmentLight light, SurfacePrograms programs, gl::Framebuffer framebuffer)
+      : context_(&context),
+        light_(std::move(light)),
+        programs_(std::move(programs)),
+        framebuffer_(std::move(framebuffer)) {}
 
+  const gl::Context* context_;
   EnvironmentLight light_;
   SurfacePrograms programs_;
   ProxyUniforms far_away_;
@@ -135,7 +141,7 @@ MIRRORBALL_WITH_BOTH_APIS(MapLayersTest);
 // Drivers weigh texels by 8-bit fractions and take a short way to the mip level. Where texels show as squares, the last
 // bit decides to which of two a pixel on their edge belongs: that is the one sample in a hundred.
 TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
-  auto drawing = Drawing::make(GetParam(), context().filtersFloats());
+  auto drawing = Drawing::make(context());
   ASSERT_TRUE(drawing) << drawing.error().message;
   for (const float repeats : {1.5f, 40.0f})
     for (const bool with_numbers : {false, true}) {
@@ -152,7 +158,7 @@ TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
 
 // The same numbers, as codes or as floats, look the same.
 TEST_P(MapLayersTest, NumbersLookAsCodesDo) {
-  auto drawing = Drawing::make(GetParam(), context().filtersFloats());
+  auto drawing = Drawing::make(context());
   ASSERT_TRUE(drawing) << drawing.error().message;
   for (const int units : {kUnitsOfMaterial, 3}) {
     std::vector<Image> images;
@@ -171,7 +177,7 @@ TEST_P(MapLayersTest, NumbersLookAsCodesDo) {
 
 // Which reads make an anisotropic one, drivers are free to choose: it is not compared.
 TEST_P(MapLayersTest, AreFilteredAsTheDriverFilters) {
-  auto drawing = Drawing::make(GetParam(), context().filtersFloats());
+  auto drawing = Drawing::make(context());
   ASSERT_TRUE(drawing) << drawing.error().message;
   Scene scene = meshScene(sphereMesh(), everything());
   giveEveryMapATexture(scene, 10.0f);

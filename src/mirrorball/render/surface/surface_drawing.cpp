@@ -5,10 +5,13 @@
 #include <cassert>
 #include <chrono>
 #include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/gl/gl_api.h"
+#include "mirrorball/gl/sharing_contexts.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/texture_units.h"
@@ -42,6 +45,12 @@ std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& setting
   for (const ModelLight& light : scene.lights) add(light, settings.light_intensity);
   return rows;
 }
+
+/// Compilers of large programs take some hundred megabytes each.
+constexpr int kMostCompiling = 16;
+
+/// A program that takes no longer has been compiled before.
+constexpr std::chrono::milliseconds kCached(60);
 
 /// The index of an instance's material.
 int materialOf(const Scene& scene, int instance) {
@@ -83,6 +92,17 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
 }
 
 }  // namespace
+
+void setBlending(bool is_blended) {
+  if (is_blended) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+  } else {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+}
 
 SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                                          const FrameSettings& settings) const {
@@ -131,8 +151,8 @@ std::vector<SurfaceVariant> SurfaceDrawing::variantsOf(const Scene& scene, const
 bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
   return version == frame.version && coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
          has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
-         sun_count == frame.sun_count && has_empty_screen == frame.has_empty_screen && captured == frame.captured && last_levels == frame.last_levels &&
-         settings == frame.settings;
+         sun_count == frame.sun_count && has_empty_screen == frame.has_empty_screen && captured == frame.captured &&
+         last_levels == frame.last_levels && settings == frame.settings;
 }
 
 SurfaceDrawing::Draw SurfaceDrawing::drawOf(const Scene& scene, int instance,
@@ -164,8 +184,9 @@ void SurfaceDrawing::chooseDepthsFirst(const Scene& scene, glm::ivec2 size_px, s
 }
 
 /// Finds how the instances are drawn, or that it is known.
-Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
-                                       std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings) {
+Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
+                                       const SceneBuffers& buffers, std::uint64_t version,
+                                       const FrameSettings& settings) {
   constexpr std::size_t kMostLists = 4;  // a picture, its mirror image and what probes see of it
   FrameSettings deciding = settings;     // of which the camera and the display decide nothing
   deciding.camera = {};
@@ -187,19 +208,85 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& s
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
+  const std::vector<SurfaceVariant> variants = variantsOf(scene, buffers, settings);
+  if (target.context.compilesWhenDrawing() && threadLimit() > 1)
+    MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, variants));
   std::vector<SurfacePrograms::Programs::pointer> entries;
-  for (const SurfaceVariant& variant : variantsOf(scene, buffers, settings)) {
+  for (const SurfaceVariant& variant : variants) {
     MIRRORBALL_TRY(entry, programs.submit(variant));
     entries.push_back(entry);
   }
   for (const SurfacePrograms::Programs::pointer entry : entries) {
-    MIRRORBALL_TRY_VOID(programs.finish(*entry, proxy));
+    MIRRORBALL_TRY_VOID(programs.finish(*entry, *uniforms_.light.proxy));
     list.draws.push_back(drawOf(scene, static_cast<int>(list.draws.size()), *entry));
   }
   chooseDepthsFirst(scene, settings.size, list.draws);
   if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
   draw_lists_.push_back(std::move(list));
   drawn_ = draw_lists_.size() - 1;
+  return {};
+}
+
+/// Makes the programs that there are not in several threads. Each draws nothing with its programs, by the state that
+/// draws of the frame have: so a driver that compiles when it draws finds all compiled when they do.
+Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
+                                             const SceneBuffers& buffers,
+                                             const std::vector<SurfaceVariant>& variants) const {
+  std::map<SurfaceVariant, int> first_instances;
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    if (!programs.has(variants[i]) && !variants[i].has(Part::point, PointPart::exact))  // which draws prisms
+      first_instances.try_emplace(variants[i], static_cast<int>(i));
+  if (first_instances.size() < 2) return {};
+  Waiting waiting;
+  for (const auto& [variant, instance] : first_instances) {
+    MIRRORBALL_TRY(shaders, surfaceShaders(programs.api(), variant));
+    waiting.programs.push_back({variant, instance, std::move(shaders)});
+  }
+  // Those with the longest texts first, which take longest: so the threads end nearly together.
+  std::sort(waiting.programs.begin(), waiting.programs.end(),
+            [](const WaitingProgram& one, const WaitingProgram& other) {
+              return one.shaders.fragment.text.size() > other.shaders.fragment.text.size();
+            });
+  const int threads = std::min({threadLimit(), static_cast<int>(waiting.programs.size()), kMostCompiling});
+  return gl::inSharingContexts(target.context, threads,
+                               [&] { return compileWaiting(waiting, programs, target.picture, scene, buffers); });
+}
+
+/// Compiles what is waiting, in one of several threads.
+///
+/// target   that the current context has or shares
+Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& programs, const gl::Framebuffer& target,
+                                            const Scene& scene, const SceneBuffers& buffers) const {
+  MIRRORBALL_TRY(picture, gl::Framebuffer::make(target.color().format(), 1, 1, target.depths()));
+  const gl::VertexArray no_vertices;
+  picture.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  if (uniforms_.sample.mask || uniforms_.sample.tests_stencil) PixelMask::limit();
+  for (bool is_compiling = true; is_compiling;) {
+    std::unique_lock lock(waiting.mutex);
+    if (waiting.taken == waiting.programs.size()) break;
+    WaitingProgram& program = waiting.programs[waiting.taken++];
+    lock.unlock();
+    const auto start = std::chrono::steady_clock::now();
+    gl::PendingProgram submitted = SurfacePrograms::compile(std::move(program.shaders));
+    lock.lock();
+    SurfacePrograms::Programs::reference entry = programs.add(program.variant, std::move(submitted));
+    MIRRORBALL_TRY_VOID(programs.finish(entry, *uniforms_.light.proxy));
+    const Draw draw = drawOf(scene, program.instance, entry);
+    programs.bindBrdfTable();
+    bindLightTextures(lights_[std::size_t(draw.light)]);
+    bindTextures(draw, scene, buffers);
+    draw.program->program.use();
+    lock.unlock();
+    setBlending(program.variant.has(Part::alpha, AlphaPart::blend));
+    no_vertices.draw(3);
+    // If the driver has the programs from before, it reads them as fast when the frame is drawn.
+    is_compiling = std::chrono::steady_clock::now() - start > kCached;
+  }
+  setBlending(false);
+  PixelMask::end();
+  glFinish();
   return {};
 }
 
@@ -274,9 +361,13 @@ void SurfaceDrawing::bindLight(int light) {
   block.set("last_level", read.blur.last_level);
   block.set("texels_per_radian", read.blur.texels_per_radian);
   block.bind(SurfacePrograms::light_point);
-  read.environment->bind(static_cast<int>(FrameTexture::environment), read.environment_sampler);
-  read.prefiltered->bind(static_cast<int>(FrameTexture::prefiltered));
-  read.irradiance->bind(static_cast<int>(FrameTexture::irradiance));
+  bindLightTextures(read);
+}
+
+void SurfaceDrawing::bindLightTextures(const SurfaceLight& light) const {
+  light.environment->bind(static_cast<int>(FrameTexture::environment), light.environment_sampler);
+  light.prefiltered->bind(static_cast<int>(FrameTexture::prefiltered));
+  light.irradiance->bind(static_cast<int>(FrameTexture::irradiance));
 }
 
 /// What decides how instances are drawn.
@@ -299,12 +390,12 @@ void SurfaceDrawing::setBlocks(SurfacePrograms& programs, const Scene& scene, Sc
   programs.bindBrdfTable();
 }
 
-Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
-                                   std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
-                                   const FrameSettings& settings) {
+Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
+                                   SceneBuffers& buffers, std::uint64_t version, const EnvironmentLight& light,
+                                   const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
   noteFrame(scene, light, frame, settings);
-  MIRRORBALL_TRY_VOID(findDraws(programs, scene, buffers, version, *frame.light.proxy, settings));
+  MIRRORBALL_TRY_VOID(findDraws(programs, target, scene, buffers, version, settings));
   setBlocks(programs, scene, buffers, frame, settings);
   return {};
 }
@@ -351,7 +442,7 @@ void SurfaceDrawing::tryOut(const Scene& scene, SceneBuffers& buffers, const Fra
 }
 
 /// Those of a frame that a program reads beside what all do.
-void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceLight& light) {
+void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceLight& light) const {
   const auto bind = [&](FrameTexture texture, const gl::Texture* bound) {
     if (bound && units.reads(texture)) bound->bind(units.of(texture));
   };
@@ -366,6 +457,16 @@ void SurfaceDrawing::bindFrameTextures(const TextureUnits& units, const SurfaceL
   bind(FrameTexture::sun_shadows, uniforms_.light.suns.shadows);
 }
 
+/// All that a draw reads, but for the light's, which many draws share.
+void SurfaceDrawing::bindTextures(const Draw& draw, const Scene& scene, const SceneBuffers& buffers) const {
+  const SurfaceVariant& variant = *draw.variant;
+  const TextureUnits& units = draw.program->units;
+  buffers.bindMaps(scene, draw.material, units);
+  bindFrameTextures(units, lights_[std::size_t(draw.light)]);
+  if (!variant.has(Part::proxy, ProxyPart::none) && !variant.has(Part::proxy, ProxyPart::captured))
+    uniforms_.light.proxy->bind(units.of(FrameTexture::proxy));
+}
+
 void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
   draw(draws()[std::size_t(instance)], scene, instance, buffers, settings);
 }
@@ -377,7 +478,7 @@ void SurfaceDrawing::draw(const Draw& draw, const Scene& scene, int instance, Sc
   gl::Program& program = draw.program->program;
   const TextureUnits& units = draw.program->units;
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
-  buffers.bindMaps(scene, material, units);
+  bindTextures(draw, scene, buffers);
   if (buffers.hasLayers(material))
     setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
@@ -390,9 +491,6 @@ void SurfaceDrawing::draw(const Draw& draw, const Scene& scene, int instance, Sc
     program.set("unseen_by_itself", uniforms_.scene.unseen_by_itself[std::size_t(instance)]);
   frame_->bind(SurfacePrograms::frame_point);
   bindLight(draw.light);
-  bindFrameTextures(units, lights_[std::size_t(draw.light)]);
-  if (!variant.has(Part::proxy, ProxyPart::none) && !variant.has(Part::proxy, ProxyPart::captured))
-    uniforms_.light.proxy->bind(units.of(FrameTexture::proxy));
   buffers.blocks().bind(instance, SurfacePrograms::instance_point, material, SurfacePrograms::material_point);
   program.use();
   if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,22 +16,34 @@
 #include "mirrorball/render/surface/pixel_cells.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_programs.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
+
+/// Whether surfaces are laid over each other, or hide each other.
+void setBlending(bool is_blended);
 
 /// How a view draws the surfaces of a scene: which program each instance needs, which light it reads, and the uniform
 /// blocks of the frame and its lights.
 class SurfaceDrawing {
  public:
+  /// What programs are compiled for.
+  struct ProgramTarget {
+    const gl::Context& context;
+    const gl::Framebuffer& picture;
+  };
+
   /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
   /// called with the same programs, scene, buffers and settings. What each instance needs is worked out once and kept,
   /// for the last few kinds of frame.
   ///
+  /// target   that the frame is drawn into
   /// version  of the scene: another number wherever its materials, meshes or what else draws depend on has changed
   /// errors   unsupported (the driver does not compile a shader)
-  Result<void> begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, std::uint64_t version,
-                     const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  Result<void> begin(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene, SceneBuffers& buffers,
+                     std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
+                     const FrameSettings& settings);
 
   /// Which program each instance of the scene needs in such a frame. The driver gets none of them.
   std::vector<SurfaceVariant> variants(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
@@ -91,8 +104,23 @@ class SurfaceDrawing {
   /// Of bodies that are traced.
   bool eyeIsInside() const { return formula::isWithinBody(uniforms_.scene.eye_media); }
   const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
-  Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
-                         std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);
+  Result<void> findDraws(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
+                         const SceneBuffers& buffers, std::uint64_t version, const FrameSettings& settings);
+  /// A program that is to be made.
+  struct WaitingProgram {
+    SurfaceVariant variant;
+    int instance;  ///< the first that is drawn with it
+    SurfaceShaders shaders;
+  };
+  struct Waiting {
+    std::vector<WaitingProgram> programs = {};
+    std::size_t taken = 0;
+    std::mutex mutex = {};  ///< of this, and of all but the driver's compilation
+  };
+  Result<void> compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
+                               const SceneBuffers& buffers, const std::vector<SurfaceVariant>& variants) const;
+  Result<void> compileWaiting(Waiting& waiting, SurfacePrograms& programs, const gl::Framebuffer& target,
+                              const Scene& scene, const SceneBuffers& buffers) const;
   Draw drawOf(const Scene& scene, int instance, SurfacePrograms::Programs::reference entry) const;
   static void chooseDepthsFirst(const Scene& scene, glm::ivec2 size_px, std::vector<Draw>& draws);
   void noteFrame(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
@@ -109,7 +137,9 @@ class SurfaceDrawing {
   /// Which of the lights: 0 is the environment's.
   int lightRead(const SurfaceVariant& variant, int instance) const;
   void bindLight(int light);
-  void bindFrameTextures(const TextureUnits& units, const SurfaceLight& light);
+  void bindLightTextures(const SurfaceLight& light) const;
+  void bindFrameTextures(const TextureUnits& units, const SurfaceLight& light) const;
+  void bindTextures(const Draw& draw, const Scene& scene, const SceneBuffers& buffers) const;
 
   std::optional<Draw> made_;  ///< of makeProgram
   int made_for_ = 0;          ///< the instance

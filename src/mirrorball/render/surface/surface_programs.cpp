@@ -48,14 +48,17 @@ void SurfacePrograms::connect(Program& made, const SurfaceVariant& variant, Prox
 }
 
 Result<SurfacePrograms::Programs::pointer> SurfacePrograms::submit(const SurfaceVariant& variant) {
-  auto found = programs_.find(variant);
-  if (found == programs_.end()) {
-    MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
-    gl::PendingProgram submitted(std::move(shaders.vertex), std::move(shaders.fragment),
-                                 "surface.vert with surface.frag");
-    found = programs_.emplace(variant, Entry{.submitted = std::move(submitted)}).first;
-  }
-  return &*found;
+  if (const auto found = programs_.find(variant); found != programs_.end()) return &*found;
+  MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
+  return &add(variant, compile(std::move(shaders)));
+}
+
+gl::PendingProgram SurfacePrograms::compile(SurfaceShaders shaders) {
+  return gl::PendingProgram(std::move(shaders.vertex), std::move(shaders.fragment), "surface.vert with surface.frag");
+}
+
+SurfacePrograms::Programs::reference SurfacePrograms::add(const SurfaceVariant& variant, gl::PendingProgram submitted) {
+  return *programs_.emplace(variant, Entry{.submitted = std::move(submitted)}).first;
 }
 
 Result<void> SurfacePrograms::finish(Programs::reference entry, ProxyUniforms& proxy) {

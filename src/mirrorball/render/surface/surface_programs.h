@@ -12,6 +12,7 @@
 #include "mirrorball/gl/uniform_block.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/surface/surface_shaders.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/render/surface/texture_units.h"
 
@@ -48,6 +49,11 @@ class SurfacePrograms {
   ///
   /// errors   not_found (surfaceShaders)
   Result<Programs::pointer> submit(const SurfaceVariant& variant);
+  /// The same in two steps, of which the first may be taken in several threads, each with a context that shares.
+  ///
+  /// shaders   surfaceShaders() of the variant
+  static gl::PendingProgram compile(SurfaceShaders shaders);
+  Programs::reference add(const SurfaceVariant& variant, gl::PendingProgram submitted);
   /// Waits until that is made.
   ///
   /// proxy    connected to it

@@ -123,9 +123,9 @@ struct LampCounts {
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
                               LampCounts lamps, const CoordinateChoice& coordinates = {});
 
-/// Lets surfaces share a program that differ only in a constant which saves less of a frame than a program more costs
-/// the first picture: whether a metal's complex index is known. The reflectance of a metal in the program of one with an
-/// index is 5 % more work for its pixels; on a software driver a program takes up to seconds to compile.
+/// Lets surfaces share a program that differ only in whether a metal's complex index is known. One without an index is
+/// 5 % more work for each of its pixels in the program of one with an index; but a program more takes a software driver
+/// up to seconds to compile.
 ///
 /// variants   of all surfaces of a frame
 void shareVariants(std::span<SurfaceVariant> variants);

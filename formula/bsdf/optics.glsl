@@ -46,6 +46,12 @@ FN vec3 fresnelDielectricOfChannels(float cosine, vec3 eta) {
   return vec3(fresnelDielectric(cosine, eta.x), fresnelDielectric(cosine, eta.y), fresnelDielectric(cosine, eta.z));
 }
 
+// The same at normal incidence: ((η − 1) / (η + 1))².
+FN vec3 normalDielectricReflectance(vec3 eta) {
+  vec3 amplitude = (eta - 1.0f) / (eta + 1.0f);
+  return amplitude * amplitude;
+}
+
 // The same into a metal of complex index n + ik (Born & Wolf, Principles of Optics, 14.2).
 FN float fresnelConductor1(float cosine, float n, float k) {
   float cosine2 = cosine * cosine;

@@ -17,6 +17,9 @@ struct Opening {
 // share that is seen in a picture would draw a line there.
 const float kLeastOccluded = 1e-6f;
 
+// The angle in [0, π/2] whose sine has that square.
+FN float angleOfSine(float squared) { return atan(sqrt(squared / max(1.0f - squared, 1e-12f))); }
+
 // A cone of half the aperture b, all above the surface, whose axis is tilted by t, lets through the share sin² b cos t
 // of an even sky's irradiance. The open hemisphere is one too, and what is hidden is missing in its mean direction, 2/3
 // n.
@@ -37,12 +40,13 @@ FN Opening openingOf(vec3 n, vec3 occluded, float open) {
   float occluded_cosine = sqrt(1.0f - occluded_squared_sine);
   float likeness = length_of_occluded / max(share * (0.5f + 0.5f * occluded_cosine), kLeastOccluded);
   float is_occluded_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
-  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), occluded_axis,
-                       atan(sqrt(occluded_squared_sine), occluded_cosine), likeness, is_occluded_by_one);
+  return MAKE(Opening)(axis, angleOfSine(squared_sine), occluded_axis, angleOfSine(occluded_squared_sine), likeness,
+                       is_occluded_by_one);
 }
 
-// Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.
-FN float angleBetween(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)); }
+// Of unit vectors, by its half, whose tangent is |a − b| / |a + b|: also exact where they are nearly the same, unlike
+// the inverse of the cosine.
+FN float angleBetween(vec3 a, vec3 b) { return 2.0f * atan(length(a - b) / max(length(a + b), 1e-18f)); }
 
 // How much of what a surface reflects around a direction is in the opening, of all that is above the surface.
 //

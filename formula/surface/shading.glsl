@@ -59,7 +59,7 @@ FN vec3 bareDielectricReflectance(Material m, float cosine, vec3 ior) {
   if (m.fresnel == kFresnelExact) return fresnelDielectricOfChannels(cosine, ior);
   if (m.fresnel == kFresnelEmpirical)
     return vec3(fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power));
-  vec3 f0 = fresnelDielectricOfChannels(1.0f, ior);
+  vec3 f0 = normalDielectricReflectance(ior);
   if (m.fresnel == kFresnelF82) return fresnelF82(cosine, f0, m.f82_tint);
   return fresnelSchlick(cosine, f0);
 }

@@ -17,8 +17,6 @@ const int kScreenRefinements = 5;
 const float kMet = 0.05;
 const float kMetInside = 3e-3;
 
-const float kEndless = 1e30;
-
 struct ScreenRay {
   vec4 shown_from;   // clip space's coordinates of s = 0 and s = 1
   vec4 shown_to;
@@ -29,17 +27,13 @@ struct ScreenRay {
 // For the share of a ray without an end that lies within a distance.
 float shareOfWay(float way) { return way / (screen_unit + way); }
 
-// A ray without an end.
-ScreenRay screenRay(vec3 origin, vec3 d) {
-  vec3 far = screen_unit * d;
-  return ScreenRay(clip_from_world * vec4(origin, 1.0), clip_from_world * vec4(far, 0.0),
-                   vec4((origin - camera_position) / screen_unit, 1.0), vec4(d, 0.0));
-}
-
-ScreenRay screenRayTo(vec3 origin, vec3 end) {
-  return ScreenRay(clip_from_world * vec4(origin, 1.0), clip_from_world * vec4(end, 1.0),
+// A ray without an end, or with one after a way.
+ScreenRay screenRay(vec3 origin, vec3 d, bool has_end, float way) {
+  vec3 end = origin + way * d;
+  return ScreenRay(clip_from_world * vec4(origin, 1.0),
+                   clip_from_world * (has_end ? vec4(end, 1.0) : vec4(screen_unit * d, 0.0)),
                    vec4((origin - camera_position) / screen_unit, 1.0),
-                   vec4((end - camera_position) / screen_unit, 1.0));
+                   has_end ? vec4((end - camera_position) / screen_unit, 1.0) : vec4(d, 0.0));
 }
 
 // Where the picture shows a place of the ray, from (0, 0) to (1, 1); beside it, outside of these.
@@ -103,36 +97,20 @@ vec3 lightMet(ScreenRay ray, float share, vec3 origin, vec3 d, float way, float 
       .xyz;
 }
 
-bool meetsBefore(vec3 origin, vec3 d, float perceptual_roughness, float way, out vec3 light) {
+bool meetsSurface(vec3 origin, vec3 d, float perceptual_roughness, bool is_inside, inout float way, out vec3 light) {
   light = vec3(0.0);
   // Nothing is met beside the box around all that is shown.
   vec2 ways = wayThroughBox(shown_low, shown_high, origin, d);
+  float first = max(ways.x, 0.0);
   float last = min(ways.y, way);
-  if (last <= max(ways.x, 0.0)) return false;
-  ScreenRay ray = screenRay(origin, d);
-  float share = shareMet(ray, shareOfWay(max(ways.x, 0.0)), shareOfWay(last), 1.0 / kScreenSteps, kMet);
-  if (share < 0.0) return false;
-  light = lightMet(ray, share, origin, d, screen_unit * share / (1.0 - share), perceptual_roughness);
-  return true;
-}
-
-vec3 lightBehind(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
-  vec3 light;
-  if (meetsBefore(origin, d, perceptual_roughness, kEndless, light)) return light;
-  return incomingLight(origin, d, perceptual_roughness, footprint) +
-         sunsAlong(origin, d, perceptual_roughness, footprint);
-}
-
-bool meetsInside(vec3 origin, vec3 d, float perceptual_roughness, inout float way, out vec3 light) {
-  light = vec3(0.0);
-  vec2 ways = wayThroughBox(shown_low, shown_high, origin, d);
-  if (min(ways.y, way) <= max(ways.x, 0.0)) return false;
-  ScreenRay ray = screenRayTo(origin, origin + way * d);
+  if (last <= first) return false;
+  ScreenRay ray = screenRay(origin, d, is_inside, way);
   float last_step = way / (kStepsInside * exp2(float(kScreenRefinements)));
-  float most = kMetInside + 4.0 * last_step / distance(origin, camera_position);
-  float share = shareMet(ray, 0.0, 1.0, 1.0 / kStepsInside, most);
+  float most = is_inside ? kMetInside + 4.0 * last_step / distance(origin, camera_position) : kMet;
+  float share = shareMet(ray, is_inside ? 0.0 : shareOfWay(first), is_inside ? 1.0 : shareOfWay(last),
+                         1.0 / (is_inside ? kStepsInside : kScreenSteps), most);
   if (share < 0.0) return false;
-  way *= share;
+  way = is_inside ? way * share : screen_unit * share / (1.0 - share);
   light = lightMet(ray, share, origin, d, way, perceptual_roughness);
   return true;
 }

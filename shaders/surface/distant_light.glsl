@@ -26,6 +26,11 @@ vec3 lightOfLobe(vec3 origin, vec3 d, float perceptual_roughness, float footprin
   return arrivingLight(origin, d, perceptual_roughness, footprint, HAS_WIDE_LOBES);
 }
 
+vec3 lightOfWideLobe(vec3 origin, vec3 d, float perceptual_roughness) {
+  const int kBlurPrefiltered = 0;
+  return arrivingLight(origin, d, perceptual_roughness, 0.0, BLUR_KIND == kBlurPrefiltered);
+}
+
 vec3 arrivingIrradiance(vec3 origin, vec3 n) {
   vec3 direction = environment_from_world * directionOfIrradiance(origin, n);
   return environment_intensity * sampleLod(irradiance, direction, 0.0).xyz;

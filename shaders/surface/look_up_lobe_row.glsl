@@ -4,7 +4,15 @@
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
-  return lightOfRow(s, point, d, patchOf(dFdx(d), dFdy(d)));
+  Patch area = patchOf(dFdx(d), dFdy(d));
+  vec3 light = vec3(0.0);
+  vec3 weights = vec3(0.0);
+  for (int lobe = 0; lobe < looksOfRow(s); ++lobe) {
+    Look look = lookOfRow(s, point, d, area, lobe);
+    light += lightOfLook(point, look);
+    weights += look.weight;
+  }
+  return light / weights;
 }
 
 #include "suns_on_one_lobe.glsl"

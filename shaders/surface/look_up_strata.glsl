@@ -11,10 +11,12 @@ const float kFeltWidening = 1.05;
 
 bool hidesBumps(Surface s) { return s.material.perceptual_roughness > kFeltWidening * s.own_roughness; }
 
-// Of the surface without its bumps, of which the strata tell: what they do from pixel to pixel is no blur.
-float footprintOfStratum(SurfacePoint point) {
+// What a stratum sees of the surface without its bumps, which the strata tell of: what bumps do from pixel to pixel
+// blurs nothing.
+Patch patchOfStratum(SurfacePoint point) {
   vec3 smooth_d = lookUpDirection(point, point.normal);
-  return sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kStrata));
+  float size = inversesqrt(samples_per_pixel * float(kStrata));
+  return Patch(vec3(0.0), size * dFdx(smooth_d), size * dFdy(smooth_d));
 }
 
 struct Stratum {
@@ -35,23 +37,35 @@ Stratum stratumAt(Surface s, SurfacePoint point, int i, vec2 random) {
                  widenedRoughness(s.own_roughness, hiddenSlopes(part) + hiddenDetail(part)));
 }
 
+Look lookOfStratum(Surface s, SurfacePoint point, Patch area, int i, vec2 random) {
+  Stratum part = stratumAt(s, point, i, random);
+  return Look(lookUpDirection(part.point, part.normal), area, part.perceptual_roughness, vec3(1.0));
+}
+
+// Strata and lobes are looked up by the same lines: what an environment shows is most of the program.
 vec3 reflectedLight(Surface s, SurfacePoint point) {
+  bool in_strata = hidesBumps(s);
   vec3 d = lookUpDirection(point, s.normal);
-  Patch area = patchOf(dFdx(d), dFdy(d));
-  float footprint = footprintOfStratum(point);
-  if (!hidesBumps(s)) return lightOfRow(s, point, d, area);
+  Patch of_pixel = patchOf(dFdx(d), dFdy(d));
+  Patch of_stratum = patchOfStratum(point);
   vec2 random = randomOfSample();
+  int looks = in_strata ? kStrata : looksOfRow(s);
   vec3 light = vec3(0.0);
-  for (int i = 0; i < kStrata; ++i) {
-    Stratum part = stratumAt(s, point, i, random);
-    light += lightOfLobe(point.position, lookUpDirection(part.point, part.normal), part.perceptual_roughness,
-                         footprint);
+  vec3 weights = vec3(0.0);
+  for (int i = 0; i < looks; ++i) {
+    Look look;
+    if (in_strata)
+      look = lookOfStratum(s, point, of_stratum, i, random);
+    else
+      look = lookOfRow(s, point, d, of_pixel, i);
+    light += lightOfLook(point, look);
+    weights += look.weight;
   }
-  return light / float(kStrata);
+  return light / weights;
 }
 
 vec3 reflectedSuns(Surface s, SurfacePoint point) {
-  float footprint = footprintOfStratum(point);
+  float footprint = footprintOfPatch(patchOfStratum(point));
   if (!kHasSuns || !hidesBumps(s)) return lightOfSuns(s, point);
   vec2 random = randomOfSample();
   vec3 light = vec3(0.0);

@@ -37,11 +37,12 @@ vec3 lightOnOccluders(vec3 position, PlaceInScene place, vec3 on_axis) {
 // Of the environment's light, divided by π.
 //   on_axis   on a surface along the opening's axis
 vec3 lightPastHiders(vec3 position, vec3 normal, Opening opening, float open, vec3 on_axis) {
-  vec3 of_lobe = incomingLight(position, opening.axis, roughnessOfCone(opening.angle), 0.0);
+  vec3 of_lobe = lightOfWideLobe(position, opening.axis, roughnessOfCone(opening.angle));
   vec3 through = open * lightThroughOpening(of_lobe, on_axis, open);
   float share = shareBesideOccluded(opening, open);
   if (share <= 0.0) return through;
-  vec3 of_occluded = incomingLight(position, opening.occluded_axis, roughnessOfCone(opening.occluded_angle), 0.0);
+  float roughness = roughnessOfCone(opening.occluded_angle);
+  vec3 of_occluded = lightOfWideLobe(position, opening.occluded_axis, roughness);
   vec3 beside = lightBesideOccluded(arrivingIrradiance(position, normal), of_occluded, through, open);
   return mix(through, beside, share);
 }
@@ -72,7 +73,8 @@ OccludedLight lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
 // more than its share of the lobe. Where among the hiders a lamp lies is not known, so that it counts as at least half
 // of the hemisphere: else three lamps over metal would be three wedges between the corners of its triangles.
 vec3 radianceOfEmission(OccludedLight light, float alpha) {
-  float sine = sin(min(2.0 * atan(alpha), 0.5 * kPi));
+  float tangent = min(alpha, 1.0);  // of half the angle that the lobe reaches to
+  float sine = 2.0 * tangent / (1.0 + tangent * tangent);
   return light.emitted / max(max(1.0 - light.open, sine * sine), 0.5);
 }
 

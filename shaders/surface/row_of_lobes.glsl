@@ -20,23 +20,33 @@ Patch patchOfLobe(Patch area, int lobe) {
   return partOfPatch(area, (vec2(part / 2, part % 2) + 0.5) * size - 0.5, size);
 }
 
+// A part of the light that a surface reflects.
+struct Look {
+  vec3 direction;
+  Patch area;
+  float perceptual_roughness;
+  vec3 weight;
+};
+
+vec3 lightOfLook(SurfacePoint point, Look look) {
+  return look.weight * lightOfPatch(point, look.direction, look.area, look.perceptual_roughness);
+}
+
+// How many parts the light of a row has: one for each lobe. Of a smooth coat the compiler knows that it is sharp.
+int looksOfRow(Surface s) {
+  bool is_sharp = HAS_SMOOTH_COAT && s.material.perceptual_roughness == 0.0;
+  return is_sharp ? 1 : LOBE_TAPS;
+}
+
 //   d   where the mirror direction is looked up
-vec3 lightOfRow(Surface s, SurfacePoint point, vec3 d, Patch area) {
+Look lookOfRow(Surface s, SurfacePoint point, vec3 d, Patch area, int lobe) {
   float roughness = s.material.perceptual_roughness;
-  // Of a smooth coat the compiler knows it.
-  bool is_sharp = HAS_SMOOTH_COAT && roughness == 0.0;
-  if (LOBE_TAPS == 1 || is_sharp) return lightOfPatch(point, d, area, roughness);
+  if (looksOfRow(s) == 1) return Look(d, area, roughness, vec3(1.0));
   vec3 r = reflect(point.ray, s.normal);
   float cosine = clamp(dot(r, s.normal), 0.0, 1.0);
-  vec3 light = vec3(0.0);
-  vec3 weights = vec3(0.0);
-  for (int i = 0; i < LOBE_TAPS; ++i) {
-    vec4 texel = lobeRowTexel(firstOfRow(LOBE_TAPS) + i, roughness, cosine);
-    RoundLobe lobe = lobeOfRow(texel, roughness, s.normal, r);
-    vec3 weight = mix(vec3(lobe.weight), vec3(lobe.grazing_weight), s.reflectance.grazing);
-    vec4 of_lobe = look_up_matrix * vec4(lobe.direction, 1.0);
-    light += weight * lightOfPatch(point, normalize(of_lobe.xyz), patchOfLobe(area, i), lobe.perceptual_roughness);
-    weights += weight;
-  }
-  return light / weights;
+  vec4 texel = lobeRowTexel(firstOfRow(LOBE_TAPS) + lobe, roughness, cosine);
+  RoundLobe round = lobeOfRow(texel, roughness, s.normal, r);
+  vec3 weight = mix(vec3(round.weight), vec3(round.grazing_weight), s.reflectance.grazing);
+  vec4 of_lobe = look_up_matrix * vec4(round.direction, 1.0);
+  return Look(normalize(of_lobe.xyz), patchOfLobe(area, lobe), round.perceptual_roughness, weight);
 }

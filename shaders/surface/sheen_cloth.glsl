@@ -18,7 +18,7 @@ vec3 lightOnCloth(Surface s, SurfacePoint point) {
   for (int i = 0; i < kSheenRings * kSheenSpokes; ++i) {
     SheenTap tap = sheenTap(alpha, v, i / kSheenSpokes, i % kSheenSpokes);
     vec3 d = tap.light.x * s.tangent + tap.light.y * b + tap.light.z * s.normal;
-    light += tap.weight * incomingLight(point.position, d, kSheenTapRoughness, 0.0);
+    light += tap.weight * lightOfWideLobe(point.position, d, kSheenTapRoughness);
     weight += tap.weight;
   }
   return light / max(weight, 1e-12);

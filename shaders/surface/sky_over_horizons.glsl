@@ -39,8 +39,8 @@ SkyShare skyShare(ReliefGround ground, Horizons h, SurfacePoint point, vec3 norm
   float whole = 0.0;
   for (int azimuth = 0; azimuth < 8; ++azimuth) {
     SkySlices s = slicesOfSky(ground, h, normal, azimuth);
-    visible += s.visible.share * incomingLight(point.position, s.visible.direction, kSliceRoughness, 0.0);
-    open += s.open.share * incomingLight(point.position, s.open.direction, kSliceRoughness, 0.0);
+    visible += s.visible.share * lightOfWideLobe(point.position, s.visible.direction, kSliceRoughness);
+    open += s.open.share * lightOfWideLobe(point.position, s.open.direction, kSliceRoughness);
     share += s.visible.share;
     whole += s.open.share;
   }

@@ -3,6 +3,7 @@
 // along its direction, so that none is lost.
 #include "back_face.glsl"
 #include "entering_beam.glsl"
+#include "light_from_afar.glsl"
 #include "octahedral.glsl"
 
 uniform sampler2D back_faces;
@@ -42,16 +43,17 @@ bool backFaceAt(vec2 position, out BackFace face) {
 //          is behind the ray; if there is none, its normal is the ray's direction
 // returns  the distance
 float wayOut(vec3 origin, vec3 direction, out BackFace face) {
-  BackFace seen;
-  bool is_seen = backFaceAt(shownAt(origin), seen);
-  // How far to go where no face is in front: as far as the body is thick along the eye's ray, or some pixels.
-  float stride = max(is_seen ? distance(seen.place, origin) : 0.0, 4.0 * length(dFdx(origin)));
+  float stride = 4.0 * length(dFdx(origin));
   face = BackFace(origin, direction, 0.0);
   float inside = 0.0;
   float outside = kNoBackFace;
   float at = 0.0;
   float step_before = 0.0;
   for (int i = 0; i < kSearchSteps; ++i) {
+    BackFace seen;
+    bool is_seen = backFaceAt(shownAt(origin + at * direction), seen);
+    // How far to go where no face is in front: as far as the body is thick along the eye's ray, or some pixels.
+    if (i == 0 && is_seen) stride = max(stride, distance(seen.place, origin));
     bool is_out = !is_seen || dot(origin + at * direction - seen.place, seen.normal) > 0.0;
     float next = is_seen ? wayToBackFace(seen, origin, direction) : kNoBackFace;
     if (is_out) {
@@ -73,7 +75,6 @@ float wayOut(vec3 origin, vec3 direction, out BackFace face) {
     }
     step_before = abs(next - at);
     at = next;
-    is_seen = backFaceAt(shownAt(origin + at * direction), seen);
   }
   return inside;
 }
@@ -86,7 +87,9 @@ vec3 normalAt(BackFace face, vec3 place) {
   vec2 middle = shownAt(place) - 0.5;
   vec2 share = fract(middle);
   vec3 sum = vec3(0.0);
-  for (int corner = 0; corner < 4; ++corner) {
+  // A number of corners that the compiler knew would be four copies of what follows, a tenth of the program.
+  int corners = textureSize(back_faces, 0).x > 0 ? 4 : 0;
+  for (int corner = 0; corner < corners; ++corner) {
     vec2 step = vec2(corner & 1, corner >> 1);
     BackFace other;
     if (!backFaceAt(floor(middle) + step, other)) continue;
@@ -101,9 +104,6 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   vec3 d = refractedDirection(point.ray, s.normal, ior);
   BackFace face;
   float way = wayOut(point.position, d, face);
-  vec3 met;
-  if (meetsInside(point.position, d, s.material.perceptual_roughness, way, met))
-    return met * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
   vec3 place = point.position + way * d;
   vec3 normal = facingNormal(-normalAt(face, place), d);
   float cosine = min(-dot(d, normal), 1.0);
@@ -113,15 +113,28 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   Beam arriving = beamAfter(enteringBeam(s, point, d, ior), way);
   vec3 light = vec3(0.0);
-  for (int side = 0; side < 2; ++side) {
-    bool is_reflected = side == 1;
-    vec3 share = is_reflected ? vec3(reflects) : s.material.base_color * (1.0 - reflects);
+  // What the ray meets inside; else what it does when it leaves, and what the back face reflects of it, which is still
+  // inside: it is taken to leave there as it goes.
+  for (int look = 0; look < 3; ++look) {
+    bool is_inside = look == 0;
+    bool is_reflected = look == 2;
+    vec3 share = is_inside ? vec3(1.0) : (is_reflected ? vec3(reflects) : s.material.base_color * (1.0 - reflects));
     if (share == vec3(0.0)) continue;
-    vec3 to = is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta);
+    vec3 from = is_inside ? point.position : place;
+    vec3 to = is_inside ? d : (is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta));
     Beam beam = beamBeyond(arriving, is_reflected ? reflectionOfBeam(alpha, cosine, face.curvature)
                                                   : refractionOfBeam(alpha, cosine, eta, face.curvature));
-    // What is reflected is still inside; it is taken to leave there as it goes.
-    light += share * lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
+    float roughness = is_inside ? s.material.perceptual_roughness : roughnessOfBeam(beam);
+    float way_to_surface = is_inside ? way : kEndless;
+    vec3 found;
+    bool is_met = meetsSurface(from, to, roughness, is_inside, way_to_surface, found);
+    if (is_inside && !is_met) continue;
+    if (!is_met) found = lightFromAfar(from, to, roughness, footprintOfBeam(beam));
+    light += share * found;
+    if (is_inside) {
+      way = way_to_surface;
+      break;
+    }
   }
   return light * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
 }

@@ -2,6 +2,7 @@
 // each kind of light its own where the glass disperses.
 #include "beam.glsl"
 #include "lies_in_air.glsl"
+#include "light_behind.glsl"
 
 vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   vec3 d = refractedDirection(point.ray, s.normal, ior);

@@ -6,6 +6,7 @@
 // Compilers copy each function to where it is called: what is large is called in one place.
 #include "entering_beam.glsl"
 #include "lies_in_air.glsl"
+#include "light_from_afar.glsl"
 #include "media.glsl"
 #include "octahedral.glsl"
 #include "triangle_tree.glsl"
@@ -131,28 +132,37 @@ vec3 lightFromInside(InnerRay ray, int kind) {
     if (surfaces < inner_bounces) hit = firstSurface(ray);
     bool goes_on = hit.triangle >= 0;
     InnerRay ended = ray;
-    if (goes_on) {
-      ended = other;
-      // Between bodies something else may be in the way.
+    if (goes_on) ended = other;
+    // Something else may be in the way to that surface, where it leads from one body to another; then in that of the
+    // ray which has ended.
+    for (int look = 0; look < 2; ++look) {
+      bool is_between = look == 0;
+      bool is_needed = is_between ? goes_on && fillingBody(ray.media) < 0 : ended.throughput != vec3(0.0);
+      if (!is_needed) continue;
+      vec3 origin = is_between ? ray.origin : ended.origin;
+      vec3 direction = is_between ? ray.direction : ended.direction;
+      vec3 throughput = is_between ? ray.throughput : ended.throughput;
+      float roughness = is_between ? roughnessOfBeam(ray.beam) : roughnessOfBeam(ended.beam);
+      float way = is_between ? hit.distance : kEndless;
       vec3 met;
-      if (fillingBody(ray.media) < 0 &&
-          meetsBefore(ray.origin, ray.direction, roughnessOfBeam(ray.beam), hit.distance, met)) {
-        light += ray.throughput * met;
+      bool is_met = meetsSurface(origin, direction, roughness, false, way, met);
+      if (is_between) {
+        if (!is_met) continue;
         ended.throughput = vec3(0.0);
         goes_on = false;
+      } else if (!is_met) {
+        met = lightFromAfar(origin, direction, roughness, footprintOfBeam(ended.beam));
       }
+      light += throughput * met;
     }
     if (goes_on) {
       passSurface(ray, hit, kind, other);
       ++surfaces;
-    } else {
-      ray = other;
-      other.throughput = vec3(0.0);
+      continue;
     }
-    if (ended.throughput != vec3(0.0))
-      light += ended.throughput * lightBehind(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
-                                                footprintOfBeam(ended.beam));
-    if (!goes_on && ray.throughput == vec3(0.0)) break;
+    ray = other;
+    other.throughput = vec3(0.0);
+    if (ray.throughput == vec3(0.0)) break;
   }
   return light;
 }

@@ -166,6 +166,7 @@ const Case kSurfaceCases[] = {
     PARITY(fresnelDielectric, unit, kTight, vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(fresnelDielectricOfChannels, unit, kTight,
            vec4(fresnelDielectricOfChannels(p.x, 0.4f + 2.0f * vec3(q)), 0.0f)),
+    PARITY(normalDielectricReflectance, unit, kTight, vec4(normalDielectricReflectance(0.4f + 2.0f * vec3(q)), 0.0f)),
     PARITY(fresnelConductor1, unit, kTight,
            vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
     PARITY(fresnelConductor, unit, kTight, vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
@@ -313,6 +314,7 @@ const Case kSurfaceCases[] = {
                     openingOf(vec3(p), 0.25f * vec3(q), r.x).occluded_angle +
                         openingOf(vec3(p), 0.25f * vec3(q), r.x).likeness +
                         openingOf(vec3(p), 0.25f * vec3(q), r.x).is_occluded_by_one)),
+    PARITY(angleOfSine, unit, kTranscendental, vec4(angleOfSine(0.99f * p.x))),
     PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
     PARITY(lobeInOpening, direction, kTranscendental,
            vec4(lobeInOpening(MAKE(Opening)(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
@@ -473,7 +475,10 @@ const Case kSurfaceCases[] = {
     PARITY(slopeInShadow, direction, kTight, vec4(slopeInShadow(vec3(p)), 0.0f, 0.0f)),
 
     // scene_surface
-    PARITY(halvesOf, unit, kExact, halvesOf(floatBitsToUint(p.x) & 0x3bff3bffu, floatBitsToUint(p.y) & 0x3bff3bffu)),
+    // Without denormal ones, which drivers may take for 0.
+    PARITY(halvesOf, unit, kExact,
+           halvesOf((floatBitsToUint(p.x) & 0x3bff3bffu) | 0x04000400u,
+                    (floatBitsToUint(p.y) & 0x3bff3bffu) | 0x04000400u)),
     PARITY(cellOfTriangle, unit, kExact,
            vec4(float(cellOfTriangle(vec2(q.x, (1.0f - q.x) * q.y), 1 + int(31.0f * p.x))), 0.0f, 0.0f, 0.0f)),
     PARITY(

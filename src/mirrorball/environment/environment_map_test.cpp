@@ -88,7 +88,8 @@ TEST(EnvironmentMap, ABrightRowKeepsItsLight) {
   for (const Interpolation interpolation : {Interpolation::bilinear, Interpolation::bicubic})
     for (const int row : {0, 1, 2, kHeight / 2, kHeight - 1}) {
       EnvironmentMap panorama(Projection::equirect, ImageSet(Image(2 * kHeight, kHeight, 3)));
-      std::ranges::fill(panorama.face(0).row(row), 1.0f);
+      const auto texels = panorama.face(0).row(row);
+      std::fill(texels.begin(), texels.end(), 1.0f);
       double flux = 0.0;
       for (int step = 0; step < kSteps; ++step) {
         const double polar = (step + 0.5) / kSteps * glm::pi<double>();

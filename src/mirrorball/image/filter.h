@@ -87,8 +87,8 @@ struct LimitedCubic {
 /// zero.
 ///
 /// max_share   of its deviation from the straight line that may be kept
-/// line_bend   what takes the straight line's place is at t + line_bend · t (1 − t) on it: where texels grow from one to
-///             the next, as a panorama's rows do, a straight line would give the light of one to the other
+/// line_bend   what takes the straight line's place is at t + line_bend · t (1 − t) on it: where texels grow from one
+///             to the next, as a panorama's rows do, a straight line would give the light of one to the other
 inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f,
                                  float line_bend = 0.0f) {
   const auto& [before, first, second, after] = texels;

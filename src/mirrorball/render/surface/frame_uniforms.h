@@ -53,14 +53,14 @@ struct ProbeUniforms {
 /// One drawing of a frame.
 struct SampleUniforms {
   Camera camera;
-  int number = 0;                    ///< of the sample of the frame
-  PixelMask* mask = nullptr;         ///< of the pixels that are drawn; null: of all
+  int number = 0;             ///< of the sample of the frame
+  PixelMask* mask = nullptr;  ///< of the pixels that are drawn; null: of all
   // Of pictures that a frame's surfaces reflect. Drivers make a program anew for another test of the stencil, and a
   // surface that sees the screen through itself has another program than one that does not: so these pictures are drawn
   // by the frame's programs.
-  bool tests_stencil = false;     ///< without a mask: draws make a mask's test, which all pixels pass
-  bool has_empty_screen = false;  ///< where the frame's surfaces see the screen through themselves, they see
-                                  ///< what they would without it
+  bool tests_stencil = false;        ///< without a mask: draws make a mask's test, which all pixels pass
+  bool has_empty_screen = false;     ///< where the frame's surfaces see the screen through themselves, they see
+                                     ///< what they would without it
   std::span<const int> hidden = {};  ///< instances that are not drawn
 };
 

@@ -1,6 +1,9 @@
 #include "mirrorball/gl/context.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "mirrorball/base/memory.h"
@@ -117,7 +120,12 @@ float Context::largestAnisotropy() const { return state_->largest_anisotropy; }
 bool Context::compilesWhenDrawing() const {
   if (!renderer().starts_with("llvmpipe")) return false;
   const std::optional<DriverCache> cache = findDriverCache(version());
-  return cache && cache->is_on.value_or(false);
+  if (!cache || !cache->is_on.value_or(false)) return false;
+  // Mesa makes its folder with the first context, if it can.
+  return std::any_of(cache->folders.begin(), cache->folders.end(), [](const std::filesystem::path& folder) {
+    std::error_code unknown;
+    return std::filesystem::is_directory(folder, unknown);
+  });
 }
 int Context::largestTexture() const { return state_->largest_texture; }
 

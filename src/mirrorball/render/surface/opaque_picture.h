@@ -18,7 +18,7 @@ class OpaquePicture {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<OpaquePicture> make(gl::Api api);
 
-  /// Makes room for a copy, unless there is such room.
+  /// Makes the copy that large, with those levels, unless it is.
   ///
   /// levels   of the copy: kAllLevels for rough surfaces, 1 where none is
   /// errors   too_large
@@ -26,11 +26,11 @@ class OpaquePicture {
 
   /// Copies what has been drawn. The framebuffer is another one then.
   ///
-  /// picture  with depths, of the camera, of the size that there is room for
+  /// picture  with depths, of the camera, of the copy's size
   /// unit     of length, in world units
   void take(const gl::Framebuffer& picture, const Camera& camera, float unit);
 
-  /// Of a copy that has room.
+  /// After resize().
   const gl::Texture& picture() const { return *picture_; }
 
  private:

@@ -139,8 +139,8 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   return from_inside;
 }
 
-std::vector<SurfaceVariant> SurfaceDrawing::variantsOf(const Scene& scene, const SceneBuffers& buffers,
-                                                       const FrameSettings& settings) const {
+std::vector<SurfaceVariant> SurfaceDrawing::findVariants(const Scene& scene, const SceneBuffers& buffers,
+                                                         const FrameSettings& settings) const {
   std::vector<SurfaceVariant> variants;
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
     variants.push_back(variantOf(scene, instance, buffers, settings));
@@ -208,7 +208,7 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramT
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
-  const std::vector<SurfaceVariant> variants = variantsOf(scene, buffers, settings);
+  const std::vector<SurfaceVariant> variants = findVariants(scene, buffers, settings);
   if (target.context.compilesWhenDrawing() && threadLimit() > 1)
     MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, variants));
   std::vector<SurfacePrograms::Programs::pointer> entries;
@@ -404,7 +404,7 @@ std::vector<SurfaceVariant> SurfaceDrawing::variants(const Scene& scene, const S
                                                      const EnvironmentLight& light, const FrameUniforms& frame,
                                                      const FrameSettings& settings) {
   noteFrame(scene, light, frame, settings);
-  return variantsOf(scene, buffers, settings);
+  return findVariants(scene, buffers, settings);
 }
 
 Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(

@@ -128,8 +128,8 @@ class SurfaceDrawing {
   void setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const FrameUniforms& frame,
                  const FrameSettings& settings);
   void draw(const Draw& draw, const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
-  std::vector<SurfaceVariant> variantsOf(const Scene& scene, const SceneBuffers& buffers,
-                                         const FrameSettings& settings) const;
+  std::vector<SurfaceVariant> findVariants(const Scene& scene, const SceneBuffers& buffers,
+                                           const FrameSettings& settings) const;
   SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   void setFrame(const SurfacePrograms& programs, const FrameUniforms& frame, const FrameSettings& settings);

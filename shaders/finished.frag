@@ -1,6 +1,6 @@
 // The pixels that need no more samples, with their number of samples: those in which the last one is so much as the
 // mean of all until now, and as its neighbours, that a display would hardly show what more would change. Its
-// neighbours' changes count too, since edges go on from pixel to pixel.
+// neighbours' changes count too, since edges go on from pixel to pixel. TONE_MAP is the display's, by number.
 #include "color.glsl"
 
 uniform sampler2D last;     // a sample's radiance
@@ -8,12 +8,11 @@ uniform sampler2D sum;      // of all until now, of what a display shows of each
 uniform float mean_of_sum;  // the factor that makes their mean of it
 uniform float count;        // of them, at least 2
 uniform float exposure;
-uniform int tone_map;
 
 out vec4 fragment;
 
 // A display's steps are about even in the square root of its light.
-vec4 lastAt(ivec2 at) { return sqrt(displayLight(texelFetch(last, at, 0), exposure, tone_map)); }
+vec4 lastAt(ivec2 at) { return sqrt(displayLight(texelFetch(last, at, 0), exposure, TONE_MAP)); }
 float difference(vec4 a, vec4 b) {
   vec4 d = abs(a - b);
   return max(max(d.x, d.y), max(d.z, d.w));

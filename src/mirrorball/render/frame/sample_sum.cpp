@@ -6,6 +6,7 @@
 #include "formula/color.h"
 #include "mirrorball/codec/color/coded_color.h"
 #include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/surface/display_program.h"
 #include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
@@ -25,15 +26,17 @@ bool isDisplayed(const FrameSettings& settings) { return settings.resolve == Res
 void setDisplay(gl::Program& program, const FrameSettings& settings) {
   program.set("as_displayed", isDisplayed(settings) ? 1.0f : 0.0f);
   program.set("exposure", settings.display.exposure());
-  program.set("tone_map", static_cast<int>(settings.display.tone_map));
 }
 
 }  // namespace
 
-Result<SampleSum> SampleSum::make(gl::Api api) {
-  MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
-  MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
-  return SampleSum(api, std::move(accumulate), std::move(tone_map));
+Result<void> SampleSum::makePrograms(ToneMap curve) {
+  if (programs_ && programs_->curve == curve) return {};
+  MIRRORBALL_TRY(accumulate, loadDisplayProgram(api_, "accumulate.frag", curve));
+  MIRRORBALL_TRY(tone_map, loadDisplayProgram(api_, "tone_map.frag", curve));
+  programs_.emplace(Programs{curve, std::move(accumulate), std::move(tone_map)});
+  mask_.reset();
+  return {};
 }
 
 /// Of a display's light alone one can say what is no longer seen to change.
@@ -45,6 +48,7 @@ bool SampleSum::isAdaptive() const {
 Result<void> SampleSum::begin(const FrameSettings& settings) {
   settings_ = settings;
   count_ = 0;
+  MIRRORBALL_TRY_VOID(makePrograms(settings.display.tone_map));
   const gl::Depths depths = isAdaptive() ? gl::Depths::with_stencil : gl::Depths::alone;
   MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, depths));
   if (settings.samples == 1) return {};
@@ -55,7 +59,7 @@ Result<void> SampleSum::begin(const FrameSettings& settings) {
     return {};
   }
   if (!mask_) {
-    MIRRORBALL_TRY(made, PixelMask::make(api_));
+    MIRRORBALL_TRY(made, PixelMask::make(api_, settings.display.tone_map));
     mask_ = std::move(made);
   }
   mask_->begin();
@@ -75,14 +79,15 @@ void SampleSum::add() {
     glBlendFunc(GL_ONE, GL_ONE);
   }
   sample_->color().bind(kFreeUnit);
-  accumulate_.set("picture", kFreeUnit);
-  setDisplay(accumulate_, settings_);
-  accumulate_.set("share", 1.0f / static_cast<float>(settings_.samples));
+  gl::Program& accumulate = programs_->accumulate;
+  accumulate.set("picture", kFreeUnit);
+  setDisplay(accumulate, settings_);
+  accumulate.set("share", 1.0f / static_cast<float>(settings_.samples));
   screen_.draw(3);
   glDisable(GL_BLEND);
   if (!isAdaptive()) return;
   mask_->end();
-  mask_->choose(*counts_, sample_->color(), sum_->color(), settings_.display, count, settings_.samples);
+  mask_->choose(*counts_, sample_->color(), sum_->color(), settings_.display.exposure(), count, settings_.samples);
 }
 
 glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
@@ -94,17 +99,18 @@ glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
 
 void SampleSum::show(Dither dither) {
   gl::drawOverAll();
+  gl::Program& tone_map = programs_->tone_map;
   result().color().bind(kFreeUnit);
-  tone_map_.set("picture", kFreeUnit);
+  tone_map.set("picture", kFreeUnit);
   const bool has_counts = isAdaptive() && count_ >= PixelMask::firstSamples(settings_.samples);
   (has_counts ? *counts_ : result()).color().bind(kNextFreeUnit);  // what is bound must be floats, read or not
-  tone_map_.set("counts", kNextFreeUnit);
-  tone_map_.set("has_counts", has_counts ? 1.0f : 0.0f);
-  tone_map_.set("samples", settings_.samples > 1 ? static_cast<float>(settings_.samples) : 1.0f);
-  tone_map_.set("count", settings_.samples > 1 ? static_cast<float>(count_) : 1.0f);
-  setDisplay(tone_map_, settings_);
-  tone_map_.set("backdrop", backdropOf(settings_));
-  tone_map_.set("dithered_rows", dither == Dither::pattern ? settings_.size.y : 0);
+  tone_map.set("counts", kNextFreeUnit);
+  tone_map.set("has_counts", has_counts ? 1.0f : 0.0f);
+  tone_map.set("samples", settings_.samples > 1 ? static_cast<float>(settings_.samples) : 1.0f);
+  tone_map.set("count", settings_.samples > 1 ? static_cast<float>(count_) : 1.0f);
+  setDisplay(tone_map, settings_);
+  tone_map.set("backdrop", backdropOf(settings_));
+  tone_map.set("dithered_rows", dither == Dither::pattern ? settings_.size.y : 0);
   screen_.draw(3);
 }
 

@@ -16,12 +16,11 @@ namespace mirrorball {
 /// mean as a display shows it.
 class SampleSum {
  public:
-  /// errors   unsupported (the driver does not compile a shader)
-  static Result<SampleSum> make(gl::Api api);
+  explicit SampleSum(gl::Api api) : api_(api) {}
 
   /// Begins a frame, of that size and with that many samples.
   ///
-  /// errors   too_large; no_gl (the driver cannot draw floats)
+  /// errors   too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader)
   Result<void> begin(const FrameSettings& settings);
 
   /// The pixels that the next sample is drawn of; null: all.
@@ -45,14 +44,18 @@ class SampleSum {
   Result<Image> displayedLight();
 
  private:
-  SampleSum(gl::Api api, gl::Program accumulate, gl::Program tone_map)
-      : api_(api), accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)) {}
+  /// What knows the tone map of frames.
+  struct Programs {
+    ToneMap curve;
+    gl::Program accumulate;
+    gl::Program tone_map;
+  };
+  Result<void> makePrograms(ToneMap curve);
   bool isAdaptive() const;
   const gl::Framebuffer& result() const { return settings_.samples > 1 ? *sum_ : *sample_; }
 
   gl::Api api_;
-  gl::Program accumulate_;
-  gl::Program tone_map_;
+  std::optional<Programs> programs_;
   gl::VertexArray screen_;
   std::optional<gl::Framebuffer> sample_;
   std::optional<PixelMask> mask_;          ///< made for the first frame of which some pixels may finish

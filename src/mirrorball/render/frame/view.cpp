@@ -150,10 +150,7 @@ Result<void> View::start() {
     MIRRORBALL_TRY(camera, framedCamera(form->scene(), form->bounds(), settings.camera, settings.size, form->runs()));
     frame.sample.camera = camera;
   }
-  if (!on.samples) {
-    MIRRORBALL_TRY(samples, SampleSum::make(api));
-    on.samples = std::move(samples);
-  }
+  if (!on.samples) on.samples.emplace(api);
   MIRRORBALL_TRY_VOID(on.samples->begin(settings));
   MIRRORBALL_TRY(light, on.light.begin(*form, settings, frame.sample.camera, staged.cache));
   frame.light = light;

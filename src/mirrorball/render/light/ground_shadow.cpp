@@ -1,7 +1,9 @@
 #include "mirrorball/render/light/ground_shadow.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "formula/bsdf.h"
@@ -41,7 +43,8 @@ std::vector<CoarseMesh> shadowCasters(const Scene& scene) {
 
 Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMesh>& casters) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
-  MIRRORBALL_TRY(add, gl::Program::load(api, "screen.vert", "accumulate.frag"));
+  constexpr std::array<std::string_view, 1> kLinear{"TONE_MAP 4"};  // what is added is no display's light
+  MIRRORBALL_TRY(add, gl::Program::load(api, "screen.vert", "accumulate.frag", kLinear));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, gl::Depths::alone));

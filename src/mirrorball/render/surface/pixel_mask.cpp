@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/surface/display_program.h"
 
 namespace mirrorball {
 namespace {
@@ -26,9 +27,9 @@ void clearAll(glm::vec4 page, GLbitfield buffers) {
 
 }  // namespace
 
-Result<PixelMask> PixelMask::make(gl::Api api) {
+Result<PixelMask> PixelMask::make(gl::Api api, ToneMap tone_map) {
   MIRRORBALL_TRY(page, gl::Program::load(api, "screen.vert", "page.frag"));
-  MIRRORBALL_TRY(choice, gl::Program::load(api, "screen.vert", "finished.frag"));
+  MIRRORBALL_TRY(choice, loadDisplayProgram(api, "finished.frag", tone_map));
   choice.set("last", kLast);
   choice.set("sum", kSum);
   return PixelMask(std::move(page), std::move(choice));
@@ -74,8 +75,8 @@ void PixelMask::endShowingThrough() const {
 
 void PixelMask::end() { glDisable(GL_STENCIL_TEST); }
 
-void PixelMask::choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum,
-                       const Display& display, int count, int samples) {
+void PixelMask::choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum, float exposure,
+                       int count, int samples) {
   if (count != std::max(next_choice_, firstSamples(samples)) || count == samples) return;
   counts.bind();
   gl::drawOverAll();
@@ -91,8 +92,7 @@ void PixelMask::choose(const gl::Framebuffer& counts, const gl::Texture& last, c
   sum.bind(kSum);
   choice_.set("mean_of_sum", static_cast<float>(samples) / static_cast<float>(count));
   choice_.set("count", static_cast<float>(count));
-  choice_.set("exposure", display.exposure());
-  choice_.set("tone_map", static_cast<int>(display.tone_map));
+  choice_.set("exposure", exposure);
   choice_.use();
   screen_.draw(3);
   glStencilMask(~0u);

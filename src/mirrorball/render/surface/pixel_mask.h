@@ -18,8 +18,9 @@ namespace mirrorball {
 /// they can.
 class PixelMask {
  public:
-  /// errors   unsupported (the driver does not compile a shader)
-  static Result<PixelMask> make(gl::Api api);
+  /// tone_map   of the frames' display
+  /// errors     unsupported (the driver does not compile a shader)
+  static Result<PixelMask> make(gl::Api api, ToneMap tone_map);
 
   /// How many samples are drawn of all pixels of a frame: a quarter of them, at least two. They are whole pairs, whose
   /// means lie in the pixel's middle (formula::sampleOffset), and of an odd number the one in the middle before them.
@@ -49,11 +50,12 @@ class PixelMask {
   ///
   /// counts   gets the number of their samples; it tests the stencil, too
   /// last     the last sample's radiance
-  /// sum      of all until now, each as a display shows it, divided by `samples`
+  /// sum      of all until now, each as the display shows it, divided by `samples`
+  /// exposure factor on the radiance, as the display has it
   /// count    of all until now
   /// samples  of the frame
-  void choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum, const Display& display,
-              int count, int samples);
+  void choose(const gl::Framebuffer& counts, const gl::Texture& last, const gl::Texture& sum, float exposure, int count,
+              int samples);
 
  private:
   PixelMask(gl::Program page, gl::Program choice) : page_(std::move(page)), choice_(std::move(choice)) {}

@@ -12,7 +12,7 @@ const float kFeltWidening = 1.05;
 bool hidesBumps(Surface s) { return s.material.perceptual_roughness > kFeltWidening * s.own_roughness; }
 
 // What a stratum sees of the surface without its bumps, which the strata tell of: what bumps do from pixel to pixel
-// blurs nothing.
+// blurs nothing. An anisotropic filter reads each stratum piece by piece, as it does the patch of a lobe.
 Patch patchOfStratum(SurfacePoint point) {
   vec3 smooth_d = lookUpDirection(point, point.normal);
   float size = inversesqrt(samples_per_pixel * float(kStrata));

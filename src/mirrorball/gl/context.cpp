@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
 #include <utility>
+
+#include <unistd.h>
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
@@ -122,10 +123,8 @@ bool Context::compilesWhenDrawing() const {
   const std::optional<DriverCache> cache = findDriverCache(version());
   if (!cache || !cache->is_on.value_or(false)) return false;
   // Mesa makes its folder with the first context, if it can.
-  return std::any_of(cache->folders.begin(), cache->folders.end(), [](const std::filesystem::path& folder) {
-    std::error_code unknown;
-    return std::filesystem::is_directory(folder, unknown);
-  });
+  return std::any_of(cache->folders.begin(), cache->folders.end(),
+                     [](const std::filesystem::path& folder) { return ::access(folder.c_str(), W_OK) == 0; });
 }
 int Context::largestTexture() const { return state_->largest_texture; }
 

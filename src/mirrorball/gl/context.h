@@ -73,7 +73,8 @@ class Context {
   /// The largest Sampling::anisotropy; 1 where the driver has no EXT_texture_filter_anisotropic.
   float largestAnisotropy() const;
   /// Whether it compiles a program in the thread that first draws with it, and keeps what it has compiled for other
-  /// contexts: Mesa's software driver, unless its cache is off or has no folder. Not for a loop: it looks at the disk.
+  /// contexts: Mesa's software driver, unless its cache is off or has no folder. It writes there in another thread, so
+  /// that what was compiled just now may not be found yet. Not for a loop: this looks at the disk.
   bool compilesWhenDrawing() const;
   int largestTexture() const;  ///< the longest side in texels of a 2D texture or a framebuffer
 

@@ -50,12 +50,14 @@ fs::path folderAboveMesas() {
 /// Mesa has three kinds of files, each in a folder of its own; which is the usual one depends on its version.
 DriverCache ofMesa() {
   constexpr const char* kSwitch = "MESA_SHADER_CACHE_DISABLE";
+  const std::string written = variable(kSwitch);
+  const bool is_off = isYes(written.empty() ? variable("MESA_GLSL_CACHE_DISABLE") : written);  // its older name
   const fs::path above = folderAboveMesas();
   std::vector<fs::path> folders{above / "mesa_shader_cache", above / "mesa_shader_cache_db",
                                 above / "mesa_shader_cache_sf"};
   if (isYes(variable("MESA_DISK_CACHE_DATABASE"))) std::swap(folders[0], folders[1]);
   if (isYes(variable("MESA_DISK_CACHE_SINGLE_FILE"))) std::swap(folders[0], folders[2]);
-  return {thoseThere(folders), !isYes(variable(kSwitch)), kSwitch};
+  return {thoseThere(folders), !is_off, kSwitch};
 }
 
 DriverCache ofNvidia() {

@@ -124,6 +124,28 @@ TEST_F(GroundMirrorTest, TheImageIsDrawnByTheProgramsOfTheFrame) {
   EXPECT_EQ(renderer.stage().device().state().surfaces().programs().size(), 1);
 }
 
+// With a mask for samples, the image tests a stencil of its own, whose pixels are all drawn.
+TEST_F(GroundMirrorTest, TheImageIsTheSameWhereSamplesAreMasked) {
+  for (const std::string roughness : {"0", "0.35"}) {
+    FrameSettings settings = onGround(roughness);
+    settings.samples = 16;
+    settings.resolve = Resolve::display;
+    const auto mean = [&](const char* sampling) {
+      testing::set(settings, "sampling", sampling);
+      Renderer renderer = testing::rendererFor(lampBall(1.0f), *builtinEnvironment("studio"));
+      EXPECT_TRUE(renderer.draw(settings));
+      const Image8 picture = *renderer.picture();
+      double sum = 0.0;
+      for (int y = 60; y < 80; ++y)
+        for (int x = 0; x < 80; ++x) sum += double(picture.texel(x, y)[1]) / 1600.0;
+      return sum;
+    };
+    const double whole = mean("all");
+    EXPECT_GT(whole, 10.0);
+    EXPECT_NEAR(mean("adaptive"), whole, 2.0) << roughness;
+  }
+}
+
 // Light above the largest half float stays a number where it is blurred.
 TEST_F(GroundMirrorTest, AMirroredSunIsFinite) {
   const Image image = drawn(lampBall(1e6f), 1e-4f, onGround("0.35"));

@@ -61,7 +61,10 @@ Result<void> SceneDrawing::makeScreen(const FrameSettings& settings) {
     MIRRORBALL_TRY(made, OpaquePicture::make(api()));
     opaque_picture_ = std::move(made);
   }
-  return opaque_picture_->resize(settings.size, someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1);
+  const auto made =
+      opaque_picture_->resize(settings.size, someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1);
+  if (!made) opaque_picture_.reset();
+  return made;
 }
 
 /// What has been drawn until now, for the surfaces that see it through themselves.
@@ -217,10 +220,10 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::vector<ScreenLayer> layers;
   if (settings.behind == BehindKind::screen && !frame.sample.has_empty_screen)
     layers = screenLayers(scene(), staged_->boxes(), staged_->bounds().radius, order, settings);
-  // Which what sees the screen is compiled for.
+  // Both are bound from the start, since drivers compile a program for the textures that it reads.
   if (settings.behind == BehindKind::screen && opaque_picture_)
     frame.screen.opaque_picture = &opaque_picture_->picture();
-  if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
+  if (layers.size() <= 1 || !back_faces_) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(beginSurfaces(target, light, frame, settings));
   target.bind();

@@ -11,7 +11,7 @@ namespace mirrorball {
 namespace {
 
 /// A smaller frame of the same shape and programs. Drivers compile other code for textures whose sides are powers of
-/// two, so that a side that is none stays none, and one that is one stays one.
+/// two: such sides stay powers of two, and others never become one.
 glm::ivec2 smallerFrame(glm::ivec2 size) {
   constexpr int kLeast = 64;
   while (size.x % 2 == 0 && size.y % 2 == 0 && std::min(size.x, size.y) >= 2 * kLeast) size /= 2;

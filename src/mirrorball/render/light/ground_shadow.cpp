@@ -43,7 +43,7 @@ std::vector<CoarseMesh> shadowCasters(const Scene& scene) {
 
 Result<GroundShadow> GroundShadow::make(gl::Api api, const std::vector<CoarseMesh>& casters) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
-  constexpr std::array<std::string_view, 1> kLinear{"TONE_MAP 4"};  // what is added is no display's light
+  constexpr std::array<std::string_view, 1> kLinear{"TONE_MAP 4"};  // sums of shares, not of a display's light
   MIRRORBALL_TRY(add, gl::Program::load(api, "screen.vert", "accumulate.frag", kLinear));
   // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
   const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;

@@ -8,8 +8,8 @@
 
 namespace mirrorball {
 
-/// A program that covers a picture and knows one tone map alone: a software driver runs all curves that a program has for
-/// each pixel, and they are most of what it compiles.
+/// A program that covers a picture and knows one tone map alone: a software driver runs all curves that a program has
+/// for each pixel, and they are most of what it compiles.
 ///
 /// fragment   of shaders/, one that reads TONE_MAP
 /// errors     unsupported (the driver does not compile a shader)

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/sharing_contexts.h"
@@ -46,11 +47,20 @@ std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& setting
   return rows;
 }
 
-/// Compilers of large programs take some hundred megabytes each.
-constexpr int kMostCompiling = 16;
+/// What a thread's compiler and context may take; Mesa 22.3 crashes where an allocation fails while it compiles.
+constexpr std::uint64_t kOfCompiler = std::uint64_t{512} << 20;
 
-/// A program that takes no longer has been compiled before.
+/// A program that takes no longer is taken to be in the driver's cache.
 constexpr std::chrono::milliseconds kCached(60);
+/// After so many of them one after the other the rest is taken to be there too.
+constexpr int kMostCached = 2;
+
+/// How many threads may compile at a time.
+int compilingThreads(std::size_t programs) {
+  const std::uint64_t fitting = std::min(addressSpaceLeft(), memoryLimit()) / kOfCompiler;
+  const auto most = static_cast<std::uint64_t>(std::min(std::size_t(threadLimit()), programs));
+  return static_cast<int>(std::clamp<std::uint64_t>(fitting, 1, most));
+}
 
 /// The index of an instance's material.
 int materialOf(const Scene& scene, int instance) {
@@ -227,8 +237,8 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramT
   return {};
 }
 
-/// Makes the programs that there are not in several threads. Each draws nothing with its programs, by the state that
-/// draws of the frame have: so a driver that compiles when it draws finds all compiled when they do.
+/// Makes the programs that there are not in several threads. Each makes a draw without pixels with every program, in
+/// the state that the frame's draws will have: so a driver that compiles when it draws has compiled them before.
 Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
                                              const SceneBuffers& buffers,
                                              const std::vector<SurfaceVariant>& variants) const {
@@ -247,8 +257,7 @@ Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const Pr
             [](const WaitingProgram& one, const WaitingProgram& other) {
               return one.shaders.fragment.text.size() > other.shaders.fragment.text.size();
             });
-  const int threads = std::min({threadLimit(), static_cast<int>(waiting.programs.size()), kMostCompiling});
-  return gl::inSharingContexts(target.context, threads,
+  return gl::inSharingContexts(target.context, compilingThreads(waiting.programs.size()),
                                [&] { return compileWaiting(waiting, programs, target.picture, scene, buffers); });
 }
 
@@ -263,7 +272,8 @@ Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& p
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   if (uniforms_.sample.mask || uniforms_.sample.tests_stencil) PixelMask::limit();
-  for (bool is_compiling = true; is_compiling;) {
+  Result<void> result;
+  for (int cached = 0; cached < kMostCached;) {
     std::unique_lock lock(waiting.mutex);
     if (waiting.taken == waiting.programs.size()) break;
     WaitingProgram& program = waiting.programs[waiting.taken++];
@@ -272,7 +282,8 @@ Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& p
     gl::PendingProgram submitted = SurfacePrograms::compile(std::move(program.shaders));
     lock.lock();
     SurfacePrograms::Programs::reference entry = programs.add(program.variant, std::move(submitted));
-    MIRRORBALL_TRY_VOID(programs.finish(entry, *uniforms_.light.proxy));
+    result = programs.finish(entry, *uniforms_.light.proxy);
+    if (!result) break;
     const Draw draw = drawOf(scene, program.instance, entry);
     programs.bindBrdfTable();
     bindLightTextures(lights_[std::size_t(draw.light)]);
@@ -281,13 +292,13 @@ Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& p
     lock.unlock();
     setBlending(program.variant.has(Part::alpha, AlphaPart::blend));
     no_vertices.draw(3);
-    // If the driver has the programs from before, it reads them as fast when the frame is drawn.
-    is_compiling = std::chrono::steady_clock::now() - start > kCached;
+    // What the driver has in its cache, it reads as fast when the frame is drawn.
+    cached = std::chrono::steady_clock::now() - start > kCached ? 0 : cached + 1;
   }
   setBlending(false);
   PixelMask::end();
   glFinish();
-  return {};
+  return result;
 }
 
 void SurfaceDrawing::setFrame(const SurfacePrograms& programs, const FrameUniforms& frame,

@@ -59,9 +59,7 @@ Result<const ProbeUniforms*> Probes::begin(gl::Api api, SceneDrawing& drawing, c
     places_ = probePlaces(drawing.scene(), most);
     places_.others.resize(std::min(places_.others.size(), kMostBlended));
     FrameUniforms of_face = frame;
-    of_face.sample.tests_stencil = frame.sample.mask != nullptr;
-    of_face.sample.mask = nullptr;
-    of_face.sample.has_empty_screen = settings.behind == BehindKind::screen;  // a face does not show what is beside it
+    of_face.sample = reflectedSample(frame.sample, settings);
     of_face.probes = nullptr;
     MIRRORBALL_TRY_VOID(makeLights(api, light, of_face.sample, wanted.settings));
     of_face.light.suns.are_seen = false;  // surfaces add them

@@ -201,13 +201,11 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
     settings.samples = 1;
   }
   const float ground = frame.light.proxy->proxy().ground;
-  frame.sample.tests_stencil = frame.sample.mask != nullptr;
-  frame.sample.mask = nullptr;
+  frame.sample = reflectedSample(frame.sample, settings);
   MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.sample, ground, staged_->bounds(), settings.size));
   frame.sample.camera = ground_mirror_->below();
   frame.scene.eye_media = {};
   settings.background = BackgroundKind::transparent;
-  frame.sample.has_empty_screen = settings.behind == BehindKind::screen;  // the screen is another camera's
   MIRRORBALL_TRY_VOID(drawOnce(*picture, light, frame, settings));
   return ground_mirror_->finish(is_blurred);
 }

@@ -11,6 +11,7 @@
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/render/light/flat_light.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/settings/frame_settings.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/pixel_mask.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
@@ -63,6 +64,15 @@ struct SampleUniforms {
                                      ///< what they would without it
   std::span<const int> hidden = {};  ///< instances that are not drawn
 };
+
+/// A sample of a picture that the surfaces of such a frame reflect. What is beside it, it does not show: so nothing is
+/// seen there through a surface.
+inline SampleUniforms reflectedSample(SampleUniforms sample, const FrameSettings& settings) {
+  sample.tests_stencil = sample.mask != nullptr;
+  sample.mask = nullptr;
+  sample.has_empty_screen = settings.behind == BehindKind::screen;
+  return sample;
+}
 
 /// What a picture has beside its colours that a sample without a mask is drawn into.
 inline gl::Depths depthsFor(const SampleUniforms& sample) {

@@ -149,13 +149,19 @@ SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const
   return from_inside;
 }
 
-std::vector<SurfaceVariant> SurfaceDrawing::findVariants(const Scene& scene, const SceneBuffers& buffers,
-                                                         const FrameSettings& settings) const {
-  std::vector<SurfaceVariant> variants;
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
-    variants.push_back(variantOf(scene, instance, buffers, settings));
-  shareVariants(variants);
-  return variants;
+SurfaceDrawing::NeededVariants SurfaceDrawing::findVariants(const Scene& scene, const SceneBuffers& buffers,
+                                                            const FrameSettings& settings) const {
+  NeededVariants needed;
+  std::map<SurfaceVariant, std::size_t> known;
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
+    const auto [found, is_new] = known.try_emplace(variantOf(scene, instance, buffers, settings), known.size());
+    needed.of_instances.push_back(found->second);
+    if (is_new) needed.first_instances.push_back(instance);
+  }
+  needed.variants.resize(known.size());
+  for (const auto& [variant, index] : known) needed.variants[index] = variant;
+  shareVariants(needed.variants);
+  return needed;
 }
 
 bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
@@ -218,18 +224,18 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramT
       std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
-  const std::vector<SurfaceVariant> variants = findVariants(scene, buffers, settings);
+  const NeededVariants needed = findVariants(scene, buffers, settings);
   if (target.context.compilesWhenDrawing() && threadLimit() > 1)
-    MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, variants));
+    MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, needed));
   std::vector<SurfacePrograms::Programs::pointer> entries;
-  for (const SurfaceVariant& variant : variants) {
+  for (const SurfaceVariant& variant : needed.variants) {
     MIRRORBALL_TRY(entry, programs.submit(variant));
     entries.push_back(entry);
   }
-  for (const SurfacePrograms::Programs::pointer entry : entries) {
+  for (const SurfacePrograms::Programs::pointer entry : entries)
     MIRRORBALL_TRY_VOID(programs.finish(*entry, *uniforms_.light.proxy));
-    list.draws.push_back(drawOf(scene, static_cast<int>(list.draws.size()), *entry));
-  }
+  for (const std::size_t variant : needed.of_instances)
+    list.draws.push_back(drawOf(scene, static_cast<int>(list.draws.size()), *entries[variant]));
   chooseDepthsFirst(scene, settings.size, list.draws);
   if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
   draw_lists_.push_back(std::move(list));
@@ -237,15 +243,20 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramT
   return {};
 }
 
+std::map<SurfaceVariant, int> SurfaceDrawing::missing(const SurfacePrograms& programs, const NeededVariants& needed) {
+  std::map<SurfaceVariant, int> first_instances;
+  for (std::size_t i = 0; i < needed.variants.size(); ++i)
+    if (!programs.has(needed.variants[i])) first_instances.try_emplace(needed.variants[i], needed.first_instances[i]);
+  return first_instances;
+}
+
 /// Makes the programs that there are not in several threads. Each makes a draw without pixels with every program, in
 /// the state that the frame's draws will have: so a driver that compiles when it draws has compiled them before.
 Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
-                                             const SceneBuffers& buffers,
-                                             const std::vector<SurfaceVariant>& variants) const {
-  std::map<SurfaceVariant, int> first_instances;
-  for (std::size_t i = 0; i < variants.size(); ++i)
-    if (!programs.has(variants[i]) && !variants[i].has(Part::point, PointPart::exact))  // which draws prisms
-      first_instances.try_emplace(variants[i], static_cast<int>(i));
+                                             const SceneBuffers& buffers, const NeededVariants& needed) const {
+  std::map<SurfaceVariant, int> first_instances = missing(programs, needed);
+  std::erase_if(first_instances,
+                [](const auto& each) { return each.first.has(Part::point, PointPart::exact); });  // draws prisms
   if (first_instances.size() < 2) return {};
   Waiting waiting;
   for (const auto& [variant, instance] : first_instances) {
@@ -415,18 +426,17 @@ std::vector<SurfaceVariant> SurfaceDrawing::variants(const Scene& scene, const S
                                                      const EnvironmentLight& light, const FrameUniforms& frame,
                                                      const FrameSettings& settings) {
   noteFrame(scene, light, frame, settings);
-  return findVariants(scene, buffers, settings);
+  const NeededVariants needed = findVariants(scene, buffers, settings);
+  std::vector<SurfaceVariant> variants;
+  for (const std::size_t variant : needed.of_instances) variants.push_back(needed.variants[variant]);
+  return variants;
 }
 
 Result<std::optional<SurfaceDrawing::MadeProgram>> SurfaceDrawing::makeProgram(
     SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const EnvironmentLight& light,
     const FrameUniforms& frame, const FrameSettings& settings) {
-  std::map<SurfaceVariant, int> waiting;  // the first instance of each
-  int instances = 0;
-  for (SurfaceVariant& variant : variants(scene, buffers, light, frame, settings)) {
-    const int instance = instances++;
-    if (!programs.has(variant)) waiting.try_emplace(std::move(variant), instance);
-  }
+  noteFrame(scene, light, frame, settings);
+  const std::map<SurfaceVariant, int> waiting = missing(programs, findVariants(scene, buffers, settings));
   if (waiting.empty()) return std::optional<MadeProgram>();
   // A driver that compiles beside us takes them all at once; one that compiles while we wait is given one.
   constexpr std::chrono::milliseconds kAtOnce(5);

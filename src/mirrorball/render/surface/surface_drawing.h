@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -106,6 +108,12 @@ class SurfaceDrawing {
   const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
   Result<void> findDraws(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
                          const SceneBuffers& buffers, std::uint64_t version, const FrameSettings& settings);
+  /// The programs that the instances of a scene need.
+  struct NeededVariants {
+    std::vector<SurfaceVariant> variants = {};   ///< each once, but for those that have come to share one
+    std::vector<int> first_instances = {};       ///< of each
+    std::vector<std::size_t> of_instances = {};  ///< of each instance, the index of its variant
+  };
   /// A program that is to be made.
   struct WaitingProgram {
     SurfaceVariant variant;
@@ -118,7 +126,7 @@ class SurfaceDrawing {
     std::mutex mutex = {};  ///< of this, and of all but the driver's compilation
   };
   Result<void> compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
-                               const SceneBuffers& buffers, const std::vector<SurfaceVariant>& variants) const;
+                               const SceneBuffers& buffers, const NeededVariants& needed) const;
   Result<void> compileWaiting(Waiting& waiting, SurfacePrograms& programs, const gl::Framebuffer& target,
                               const Scene& scene, const SceneBuffers& buffers) const;
   Draw drawOf(const Scene& scene, int instance, SurfacePrograms::Programs::reference entry) const;
@@ -128,8 +136,9 @@ class SurfaceDrawing {
   void setBlocks(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, const FrameUniforms& frame,
                  const FrameSettings& settings);
   void draw(const Draw& draw, const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
-  std::vector<SurfaceVariant> findVariants(const Scene& scene, const SceneBuffers& buffers,
-                                           const FrameSettings& settings) const;
+  NeededVariants findVariants(const Scene& scene, const SceneBuffers& buffers, const FrameSettings& settings) const;
+  /// Those that are not made, each with its first instance.
+  static std::map<SurfaceVariant, int> missing(const SurfacePrograms& programs, const NeededVariants& needed);
   SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   void setFrame(const SurfacePrograms& programs, const FrameUniforms& frame, const FrameSettings& settings);

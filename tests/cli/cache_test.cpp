@@ -195,6 +195,18 @@ TEST_F(DriverCacheCliTest, AfterWarmARenderHasNothingToCompileOrToPrepare) {
   }
 }
 
+// Several threads compile a frame's programs, each with a context of its own; where the driver keeps none, one does.
+TEST_F(DriverCacheCliTest, APictureIsTheSameForAnyNumberOfThreadsThatCompile) {
+  const std::string line = "render -e map.exr --quality draft --size 64x36 --quiet --threads ";
+  succeed(line + "1 -o one.png", withBoth("one"));
+  succeed(line + "4 -o four.png", withBoth("four"));
+  Start how = withBoth("none");
+  how.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  succeed(line + "4 -o none.png", how);
+  EXPECT_TRUE(bytes("four.png") == bytes("one.png"));
+  EXPECT_TRUE(bytes("none.png") == bytes("one.png"));
+}
+
 TEST_F(DriverCacheCliTest, WarmTellsOfEachModelAndWritesNoPicture) {
   const std::vector<std::string> before = files();
   EXPECT_EQ(succeed("cache warm sphere cube -e map.exr --quality draft --size 64x64", withBoth("probe")),

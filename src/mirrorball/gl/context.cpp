@@ -72,6 +72,8 @@ Result<Context> Context::share() const {
   return Context(std::make_unique<State>(State{std::move(made), state_->api, 0}));
 }
 
+bool Context::isOurs() const { return state_->own != nullptr; }
+
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;

@@ -40,6 +40,8 @@ class Context {
   ///
   /// errors   no_gl: this context was taken over, or the driver makes no such context
   Result<Context> share() const;
+  /// Whether this context was made here, as share() needs it.
+  bool isOurs() const;
 
   Context(Context&&) noexcept;
   Context& operator=(Context&&) noexcept;

@@ -14,7 +14,8 @@ Result<void> inSharingContexts(const Context& context, int threads, const std::f
     return own ? work() : Result<void>();
   };
   try {
-    for (int i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, in_own_context));
+    for (int i = 1; i < threads && context.isOurs(); ++i)
+      others.push_back(std::async(std::launch::async, in_own_context));
   } catch (const std::system_error&) {
     // The system starts no more threads.
   }

@@ -260,6 +260,7 @@ Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const Pr
   if (first_instances.size() < 2) return {};
   Waiting waiting;
   for (const auto& [variant, instance] : first_instances) {
+    MIRRORBALL_TRY_VOID(programs.prepare(variant));
     MIRRORBALL_TRY(shaders, surfaceShaders(programs.api(), variant));
     waiting.programs.push_back({variant, instance, std::move(shaders)});
   }

@@ -61,11 +61,16 @@ SurfacePrograms::Programs::reference SurfacePrograms::add(const SurfaceVariant& 
   return *programs_.emplace(variant, Entry{.submitted = std::move(submitted)}).first;
 }
 
+Result<void> SurfacePrograms::prepare(const SurfaceVariant& variant) {
+  if (variant.has(Part::sheen, SheenPart::cloth)) return addClothToBrdfTable();
+  return {};
+}
+
 Result<void> SurfacePrograms::finish(Programs::reference entry, ProxyUniforms& proxy) {
   const SurfaceVariant& variant = entry.first;
   Entry& program = entry.second;
   if (program.made) return {};
-  if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
+  MIRRORBALL_TRY_VOID(prepare(variant));
   auto made = program.submitted->finish();
   if (!made) {
     programs_.erase(variant);

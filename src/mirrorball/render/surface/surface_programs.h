@@ -53,6 +53,10 @@ class SurfacePrograms {
   ///
   /// shaders   surfaceShaders() of the variant
   static gl::PendingProgram compile(SurfaceShaders shaders);
+  /// Makes what finish() makes for such a variant beside its program, which threads would wait for.
+  ///
+  /// errors   too_large (for this driver)
+  Result<void> prepare(const SurfaceVariant& variant);
   Programs::reference add(const SurfaceVariant& variant, gl::PendingProgram submitted);
   /// Waits until that is made.
   ///

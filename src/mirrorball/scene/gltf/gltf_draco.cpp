@@ -76,7 +76,7 @@ Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, dra
   }
   for (const auto& [name, id] : primitive.draco_attributes) {
     const int index = mesh.GetAttributeIdByUniqueId(static_cast<std::uint32_t>(id));
-    const std::string attribute_key = key + ".attributes." + name;
+    const std::string attribute_key = key + ".attributes." + excerpt(name);
     if (index < 0)
       return fail(ErrorCode::bad_file, attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
     draco::PointAttribute& attribute = *mesh.attribute(index);

@@ -5,6 +5,7 @@
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 #include "test_data.h"
@@ -74,6 +75,21 @@ TEST(GltfDraco, WhatIsNormalizedIsWhatTheAccessorSays) {
     EXPECT_EQ(scene->meshes.at(0)->vertices.at(0).color, glm::vec4(1, 0.2f, 0, 1));
     EXPECT_EQ(scene->warnings.size(), says_so ? 0u : 1u);
   }
+}
+
+// Found by a fuzzer: the name was shown as it is.
+TEST(GltfDraco, ControlCharactersOfAnAttributesNameAreNotShown) {
+  GltfMaker maker;
+  maker.view(compressedTriangle());
+  maker.rawAccessor(R"({"componentType":5126,"count":3,"type":"VEC3"})");
+  maker.rawAccessor(R"({"componentType":5123,"count":3,"type":"SCALAR"})");
+  const Result<Scene> scene =
+      decodeGltf(maker.glb(R"({"attributes":{"POSITION":0},"indices":1,"extensions":{"KHR_draco_mesh_compression":)"
+                           R"({"bufferView":0,"attributes":{"BE\u0007L":9}}}})"),
+                 "model.glb");
+  ASSERT_FALSE(scene);
+  EXPECT_NE(scene.error().message.find("no attribute 9"), std::string::npos) << scene.error().message;
+  EXPECT_EQ(scene.error().message, printable(scene.error().message));
 }
 
 }  // namespace

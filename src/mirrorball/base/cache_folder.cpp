@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -11,6 +10,7 @@
 #include <unistd.h>
 
 #include "mirrorball/base/content_hash.h"
+#include "mirrorball/base/environment_variable.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/range.h"
 
@@ -34,17 +34,13 @@ bool isOurs(const fs::path& path) {
   return contains(kEndings, std::string_view(name).substr(ContentHash::kDigits));
 }
 
-std::optional<std::string> variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::optional<std::string>() : std::string(value);
-}
-
 std::optional<fs::path> folderOfUser() {
-  if (const auto folder = variable("MIRRORBALL_CACHE"))
+  if (const auto folder = environmentVariable("MIRRORBALL_CACHE"))
     return folder->empty() ? std::nullopt : std::optional<fs::path>(*folder);
-  if (const auto folder = variable("XDG_CACHE_HOME"); folder && fs::path(*folder).is_absolute())
+  if (const auto folder = environmentVariable("XDG_CACHE_HOME"); folder && fs::path(*folder).is_absolute())
     return fs::path(*folder) / "mirrorball";
-  if (const auto home = variable("HOME"); home && !home->empty()) return fs::path(*home) / ".cache" / "mirrorball";
+  if (const auto home = environmentVariable("HOME"); home && !home->empty())
+    return fs::path(*home) / ".cache" / "mirrorball";
   return {};
 }
 
@@ -99,7 +95,7 @@ Result<void> writeSealed(const fs::path& path, const std::string& key, CachedKin
 Result<std::optional<CacheFolder>> CacheFolder::ofUser() {
   const std::optional<fs::path> folder = folderOfUser();
   if (!folder) return std::nullopt;
-  const auto written = variable("MIRRORBALL_CACHE_SIZE");
+  const auto written = environmentVariable("MIRRORBALL_CACHE_SIZE");
   if (!written || written->empty()) return CacheFolder(*folder);
   if (*written == "0") return CacheFolder(*folder, 0);
   const auto bytes = parseBytes(*written);

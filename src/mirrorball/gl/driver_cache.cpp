@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -12,16 +11,15 @@
 #include <pwd.h>
 #include <unistd.h>
 
+#include "mirrorball/base/environment_variable.h"
+
 namespace mirrorball::gl {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What an environment variable says; empty where it is not set.
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
+/// One that is not set counts as empty.
+std::string variable(const char* name) { return environmentVariable(name).value_or(""); }
 
 bool isYes(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char letter) { return std::tolower(letter); });

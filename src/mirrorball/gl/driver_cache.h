@@ -27,4 +27,5 @@ struct DriverCache {
 /// version   of a context: Context::version()
 /// returns   nothing: where this driver keeps its shaders is not known
 std::optional<DriverCache> findDriverCache(const std::string& version);
+
 }  // namespace mirrorball::gl

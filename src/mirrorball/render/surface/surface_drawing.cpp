@@ -225,8 +225,7 @@ Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const ProgramT
   drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
   if (known != draw_lists_.end()) return {};
   const NeededVariants needed = findVariants(scene, buffers, settings);
-  if (target.context.compilesWhenDrawing() && threadLimit() > 1)
-    MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, needed));
+  MIRRORBALL_TRY_VOID(compileTogether(programs, target, scene, buffers, needed));
   std::vector<SurfacePrograms::Programs::pointer> entries;
   for (const SurfaceVariant& variant : needed.variants) {
     MIRRORBALL_TRY(entry, programs.submit(variant));
@@ -250,14 +249,14 @@ std::map<SurfaceVariant, int> SurfaceDrawing::missing(const SurfacePrograms& pro
   return first_instances;
 }
 
-/// Makes the programs that there are not in several threads. Each makes a draw without pixels with every program, in
-/// the state that the frame's draws will have: so a driver that compiles when it draws has compiled them before.
+/// Makes the programs that there are not in several threads, for a driver that compiles when it draws. Each thread
+/// makes a draw without pixels with its programs, in the state that the frame's draws will have, which then find them.
 Result<void> SurfaceDrawing::compileTogether(SurfacePrograms& programs, const ProgramTarget& target, const Scene& scene,
                                              const SceneBuffers& buffers, const NeededVariants& needed) const {
   std::map<SurfaceVariant, int> first_instances = missing(programs, needed);
   std::erase_if(first_instances,
                 [](const auto& each) { return each.first.has(Part::point, PointPart::exact); });  // draws prisms
-  if (first_instances.size() < 2) return {};
+  if (first_instances.size() < 2 || threadLimit() == 1 || !target.context.compilesWhenDrawing()) return {};
   Waiting waiting;
   for (const auto& [variant, instance] : first_instances) {
     MIRRORBALL_TRY_VOID(programs.prepare(variant));

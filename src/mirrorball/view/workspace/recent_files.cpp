@@ -1,21 +1,20 @@
 #include "mirrorball/view/workspace/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 #include <system_error>
 
+#include "mirrorball/base/environment_variable.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/view/workspace/workspace_file.h"
 
 namespace mirrorball {
 
 std::optional<RecentFiles> RecentFiles::ofUser() {
-  const char* const state = std::getenv("XDG_STATE_HOME");
-  const char* const home = std::getenv("HOME");
-  if (state != nullptr && *state != '\0')
-    return RecentFiles(std::filesystem::path(state) / "mirrorball" / "recent.txt");
-  if (home == nullptr || *home == '\0') return std::nullopt;
+  const std::string state = environmentVariable("XDG_STATE_HOME").value_or("");
+  const std::string home = environmentVariable("HOME").value_or("");
+  if (!state.empty()) return RecentFiles(std::filesystem::path(state) / "mirrorball" / "recent.txt");
+  if (home.empty()) return std::nullopt;
   return RecentFiles(std::filesystem::path(home) / ".local" / "state" / "mirrorball" / "recent.txt");
 }
 

@@ -14,12 +14,12 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
-#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <half.h>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/exr/exr_chroma.h"
 #include "mirrorball/codec/exr/exr_part.h"
 #include "mirrorball/codec/exr/exr_rows.h"
 #include "mirrorball/codec/exr/exr_sizes.h"
@@ -27,37 +27,6 @@
 
 namespace mirrorball {
 namespace {
-
-/// Reads luminance and subsampled chroma through OpenEXR's own reconstruction filter, which works
-/// in half floats; 0 where the file has no texels.
-void readChroma(std::span<const std::uint8_t> bytes, const ExrPart& part, Image& image) {
-  ExrInput stream(bytes);
-  const std::string& prefix = part.layer().prefix;
-  Imf::RgbaInputFile file(stream, prefix.substr(0, prefix.find_last_of('.')));
-  const Imath::Box2i& data = part.window().data;
-  const Imath::Box2i& picture = part.window().picture;
-  const int left = std::max(data.min.x, picture.min.x);
-  const int right = std::min(data.max.x, picture.max.x);
-
-  std::vector<Imf::Rgba> row(std::size_t(part.window().dataWidth()));
-  for (int line = std::max(data.min.y, picture.min.y); line <= std::min(data.max.y, picture.max.y); ++line) {
-    // The frame's base is where texel (0, 0) would be; this slice's arithmetic avoids a pointer
-    // outside the row.
-    const Imf::Slice slice =
-        Imf::Slice::Make(Imf::HALF, row.data(), Imath::Box2i({data.min.x, line}, {data.max.x, line}), sizeof(Imf::Rgba),
-                         sizeof(Imf::Rgba) * row.size());
-    file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(slice.base), 1, row.size());
-    file.readPixels(line);
-    for (int x = left; x <= right; ++x) {
-      const Imf::Rgba& from = row[std::size_t(x - data.min.x)];
-      float* to = image.texel(x - picture.min.x, line - picture.min.y);
-      to[0] = from.r;
-      to[1] = from.g;
-      to[2] = from.b;
-      if (part.layer().has_alpha) to[3] = from.a;
-    }
-  }
-}
 
 /// All rows, in blocks between which the progress is reported; no compression packs more rows together.
 Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Image& image) {
@@ -78,7 +47,7 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ImageRead
   DecodedImage decoded;
   if (part.hasChroma()) {
     decoded.image = Image(part.width(), part.height(), part.channels());
-    readChroma(bytes, part, decoded.image);
+    readExrChroma(bytes, part, decoded.image);
   } else {
     decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
     MIRRORBALL_TRY_VOID(readRows(part, options.progress, decoded.image));

@@ -164,20 +164,96 @@ TEST(ExrMissingRows, OutsideTheDisplayWindowAreNotTold) {
   testing::expectSameBits(cut.image, whole.image);
 }
 
-// Its filter takes colours from the rows around.
-TEST(ExrMissingRows, OfLuminanceAndChromaAreRefused) {
-  Imf::Header header(12, 10);
-  header.compression() = Imf::NO_COMPRESSION;
-  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
+/// A picture 8 texels wide as luminance, chroma and alpha, whose colours change slowly.
+Bytes chromaFile(int height, Imf::LineOrder order, Imf::Compression compression) {
+  std::vector<Imf::Rgba> texels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 8; ++x)
+      texels.emplace_back(0.5f + 0.005f * float(y), 0.25f + 0.01f * float(x), 0.75f - 0.005f * float(y), 0.5f);
   ExrOutput stream;
   {
-    Imf::RgbaOutputFile file(stream, header, Imf::WRITE_YC);
-    file.setFrameBuffer(texels.data(), 1, 12);
-    file.writePixels(5);
+    Imf::RgbaOutputFile file(stream, exrHeader(8, height, compression, order), Imf::WRITE_YCA);
+    file.setFrameBuffer(texels.data(), 1, 8);
+    file.writePixels(height);
   }
-  const auto refused = decodeExr(stream.takeBytes());
-  ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("part of its luminance and chroma is missing"));
+  return stream.takeBytes();
+}
+
+/// Such a file of 60 rows that is not compressed, without its last rows.
+Bytes cutChromaFile(int rows, Imf::LineOrder order) {
+  Bytes bytes = chromaFile(60, order, Imf::NO_COMPRESSION);
+  for (int missing = rows; missing < 60; ++missing) {
+    const int row = order == Imf::INCREASING_Y ? missing : 59 - missing;
+    const std::size_t samples = row % 2 == 0 ? 3 * 8 : 2 * 8;  // of odd rows luminance and alpha alone
+    bytes.resize(bytes.size() - 2 * samples - 8);              // in half floats, behind their row and size
+  }
+  return bytes;
+}
+
+/// How many rows the filter of chroma reads above and below each, the neighbours' saturation included.
+constexpr int kRowsOfFilter = 14;
+
+/// Expects the texels of rows that a cut file has: those of the whole one where the filter of chroma reads nothing that
+/// is missing, else nearly.
+///
+/// begin, end   rows that the cut file has
+void expectNearly(const Image& cut, const Image& whole, int begin, int end) {
+  for (int y = begin; y < end; ++y) {
+    const bool is_exact =
+        (begin == 0 || y - begin >= kRowsOfFilter) && (end == whole.height() || end - y > kRowsOfFilter);
+    for (int x = 0; x < whole.width(); ++x)
+      for (int c = 0; c < whole.channels(); ++c)
+        ASSERT_NEAR(cut.texel(x, y)[c], whole.texel(x, y)[c], is_exact ? 0.0f : 0.02f) << x << ", " << y << ", " << c;
+  }
+}
+
+TEST(ExrMissingRows, OfLuminanceAndChromaAreBlack) {
+  const Image whole = decoded(cutChromaFile(60, Imf::INCREASING_Y)).image;
+  for (const int rows : {1, 2, 29, 40}) {
+    const DecodedImage upper = decoded(cutChromaFile(rows, Imf::INCREASING_Y));
+    EXPECT_THAT(upper.oddities, ElementsAre("ends before its last row: the " + std::to_string(60 - rows) +
+                                            " rows that are missing are black"));
+    expectNearly(upper.image, whole, 0, rows);
+    for (int y = rows; y < 60; ++y) {
+      ASSERT_EQ(upper.image.texel(3, y)[2], 0.0f);
+      ASSERT_EQ(upper.image.texel(3, y)[3], 1.0f) << "opaque, as the missing rows of others";
+    }
+  }
+  const DecodedImage lower = decoded(cutChromaFile(40, Imf::DECREASING_Y));
+  EXPECT_THAT(lower.oddities, ElementsAre("ends before its last row: the 20 rows that are missing are black"));
+  expectNearly(lower.image, decoded(cutChromaFile(60, Imf::DECREASING_Y)).image, 20, 60);
+  ASSERT_EQ(lower.image.texel(3, 19)[2], 0.0f);
+}
+
+// Rows of odd numbers have the chroma of those around them.
+TEST(ExrMissingRows, OfLuminanceWithoutItsChromaAreMissing) {
+  EXPECT_THAT(decoded(cutChromaFile(3, Imf::DECREASING_Y)).oddities, ElementsAre(HasSubstr("the 57 rows")));
+  const auto none = decodeExr(cutChromaFile(1, Imf::DECREASING_Y));
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("none of its rows is whole"));
+}
+
+// Cut anywhere, by transfers that stop: the offsets are there, and the chunks are not.
+TEST(ExrMissingRows, OfLuminanceAndChromaThatIsCutAreBlack) {
+  const Bytes bytes = chromaFile(40, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+  const Image whole = decoded(bytes).image;
+  int rows_before = 0;
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const auto cut = decodeExr(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)));
+    if (!cut) {
+      ASSERT_EQ(rows_before, 0) << length << ": " << cut.error().message;
+      continue;
+    }
+    ASSERT_EQ(cut->oddities.size(), 1u) << length;
+    const int rows = cut->oddities[0] == "ends before its last row: the 24 rows that are missing are black" ? 16 : 32;
+    if (rows == 32)
+      ASSERT_EQ(cut->oddities[0], "ends before its last row: the 8 rows that are missing are black") << length;
+    ASSERT_GE(rows, rows_before);
+    rows_before = rows;
+    expectNearly(cut->image, whole, 0, rows);
+    ASSERT_EQ(cut->image.texel(3, rows)[1], 0.0f) << length;
+  }
+  EXPECT_EQ(rows_before, 32);
 }
 
 }  // namespace

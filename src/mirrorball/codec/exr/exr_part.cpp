@@ -7,7 +7,6 @@
 
 #include <Iex.h>
 #include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfPartType.h>
@@ -88,11 +87,6 @@ bool ExrPart::hasLastChunk() const {
 
 Result<void> ExrPart::findMissingRows(std::uint64_t first_chunk, std::uint64_t file_size) {
   const bool has_all_offsets = file_->partComplete(layer().part);
-  if (hasChroma()) {
-    if (has_all_offsets) return {};
-    return fail(ErrorCode::bad_file,
-                "part of its luminance and chroma is missing; the file was not written to its end");
-  }
   // Tiles are only read decoded, as many as stand beside each other.
   const int rows = isTiled() ? rowsInExrChunk(*file_, layer().part) : 1;
   MIRRORBALL_TRY_VOID(checkImageMemory(window_.dataWidth(), rows, channels()));
@@ -101,9 +95,19 @@ Result<void> ExrPart::findMissingRows(std::uint64_t first_chunk, std::uint64_t f
   is_missing_ = missingExrRows(*stream_, *file_, layer().part, first_chunk, file_size);
   // The search has moved the stream, and OpenEXR trusts that it alone does: so the file is opened anew.
   openFile(/*finds_offsets=*/!has_all_offsets);
+  if (hasChroma()) {
+    dropRowsWithoutChroma();
+    // They are completed in memory as a whole (exr_chroma.h).
+    MIRRORBALL_TRY_VOID(checkImageMemory(window_.dataWidth(), static_cast<int>(is_missing_.size()), channels()));
+  }
   if (missingRows() == height())
     return fail(ErrorCode::bad_file, "none of its rows is whole; the file was not written to its end");
   return {};
+}
+
+void ExrPart::dropRowsWithoutChroma() {
+  for (std::size_t row = 1; row < is_missing_.size(); row += 2)
+    if (is_missing_[row - 1] != 0 && (row + 1 == is_missing_.size() || is_missing_[row + 1] != 0)) is_missing_[row] = 1;
 }
 
 bool ExrPart::isMissing(int row) const {
@@ -132,7 +136,6 @@ int ExrPart::channels() const {
 }
 
 void ExrPart::readInto(float* texels, const Imath::Box2i& rows) const {
-  Imf::InputPart part(*file_, layer().part);
   const std::size_t texel_size = sizeof(float) * std::size_t(channels());
   const std::size_t row_size = texel_size * std::size_t(rows.max.x - rows.min.x + 1);
   Imf::FrameBuffer frame;
@@ -141,8 +144,13 @@ void ExrPart::readInto(float* texels, const Imath::Box2i& rows) const {
     frame.insert(layer().prefix + layer().channels[c],
                  Imf::Slice::Make(Imf::FLOAT, texels + (is_alpha ? 3 : c), rows, texel_size, row_size));
   }
+  readFrame(frame, rows.min.y, rows.max.y);
+}
+
+void ExrPart::readFrame(const Imf::FrameBuffer& frame, int first_line, int last_line) const {
+  Imf::InputPart part(*file_, layer().part);
   part.setFrameBuffer(frame);
-  part.readPixels(rows.min.y, rows.max.y);
+  part.readPixels(first_line, last_line);
 }
 
 void ExrPart::readRows(int first, int count, float* samples) const {

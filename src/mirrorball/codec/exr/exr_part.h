@@ -5,9 +5,11 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <ImfFrameBuffer.h>
 #include <ImfIO.h>
 #include <ImfMultiPartInputFile.h>
 
@@ -28,7 +30,7 @@ class ExrPart {
   /// file_size  in bytes
   /// layer      the name of the layer to read; empty: the picture
   /// errors     unsupported (no picture); not_found (no such layer); too_large (a row of tiles); bad_file (none of the
-  ///            rows is there, or one of luminance and chroma is missing; windows)
+  ///            rows is there; windows)
   static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream, std::uint64_t file_size, const std::string& layer);
 
   int width() const { return window_.width(); }
@@ -63,6 +65,10 @@ class ExrPart {
   ///
   /// samples  of `count` rows, `channels()` a texel
   void readRows(int first, int count, float* samples) const;
+  /// Reads channels of lines of the data window that the file has. Throws, as OpenEXR does.
+  void readFrame(const Imf::FrameBuffer& frame, int first_line, int last_line) const;
+  /// For each row of the data window whether the file lacks it; empty: it has all.
+  std::span<const std::uint8_t> missingDataRows() const { return is_missing_; }
 
  private:
   /// finds_offsets  whether chunks are looked for that the table of offsets lacks, in the whole file
@@ -70,6 +76,8 @@ class ExrPart {
   /// Whether the chunk is there that was written last, of a file that is written from its top or its bottom.
   bool hasLastChunk() const;
   Result<void> findMissingRows(std::uint64_t first_chunk, std::uint64_t file_size);
+  /// Counts as missing what has luminance and no chroma beside it: rows of odd numbers have none of their own.
+  void dropRowsWithoutChroma();
   /// Of the picture, counted from its top.
   bool isMissing(int row) const;
   int missingRows() const;

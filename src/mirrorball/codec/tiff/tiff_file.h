@@ -27,7 +27,8 @@ class TiffFile {
   /// How often libtiff has warned of something that it went on with.
   int warnings() const { return warnings_; }
 
-  /// The error for what libtiff first complained of, or else last warned of.
+  /// The error for a directory that the file ends before, or else for what libtiff first complained of or last warned
+  /// of.
   tl::unexpected<Error> damaged() const;
 
  private:

@@ -311,6 +311,28 @@ TEST(Tiff, StripsBetweenOthersMayBeMissing) {
   EXPECT_EQ(refused(file).code, ErrorCode::bad_file);
 }
 
+// libtiff writes it last, and without it nothing is known of the rows.
+TEST(Tiff, AFileThatEndsBeforeItsDirectorySaysSo) {
+  for (const char* mode : {"wl", "wb", "wl8", "wb8"}) {
+    TiffForm form{.rows_per_strip = 1};
+    form.mode = mode;
+    const bool is_big_tiff = form.mode.size() == 3;
+    const std::size_t header = is_big_tiff ? 16 : 8, directory = header + 45 + 1;
+    Bytes bytes = tiffFile(form, tiffSamples(form));
+    for (std::size_t length = 16; length < bytes.size(); ++length) {
+      const std::string message = refused(Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(length))).message;
+      const std::string where = (length > directory ? ", within" : ", before") + std::string(" its directory at byte ");
+      ASSERT_EQ(message, "ends at byte " + std::to_string(length) + where + std::to_string(directory) +
+                             ", which says how large it is and where its rows are; copy or save it again")
+          << mode;
+    }
+    // As libtiff leaves it until it closes the file.
+    std::fill_n(bytes.begin() + std::ptrdiff_t(header / 2), header / 2, std::uint8_t{0});
+    EXPECT_THAT(refused(bytes).message, HasSubstr("has no directory")) << mode;
+    EXPECT_THAT(refused(bytes).message, HasSubstr("save it again")) << mode;
+  }
+}
+
 TEST(Tiff, ThePictureBehindAPreviewIsRead) {
   const TiffForm preview{.width = 1, .height = 1, .subfile = FILETYPE_REDUCEDIMAGE};
   const TiffForm form;

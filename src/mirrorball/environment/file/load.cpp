@@ -247,7 +247,8 @@ Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes,
   auto loaded = texture.images.faces() == 6 ? loadCubeTexture(std::move(texture), options)
                                             : loadPictureTexture(std::move(texture), options);
   if (!loaded) return loaded;
-  loaded->levels = levels;
+  // The levels of two circles are none of the panorama's.
+  if (!options.from.fisheye) loaded->levels = levels;
   if (!doubt.message.empty()) loaded->doubt = std::move(doubt);
   return loaded;
 }
@@ -313,7 +314,7 @@ OptionText environmentText(std::string_view help) {
 }
 
 OptionText formText(std::string_view help, std::string_view group) {
-  return {.name = "from", .value = "FORM", .help = help, .group = group, .names = projectionNames};
+  return {.name = "from", .value = "FORM", .help = help, .group = group, .names = readFormNames};
 }
 
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,

@@ -287,8 +287,8 @@ Result<FormDoubt> settleByContent(const Image& picture, Recognition& recognition
   if (form.projection == Projection::equirect && showsTwoDiscs(picture))
     return fail(ErrorCode::bad_shape,
                 "is 2:1 and shows two discs on black, as a camera with two fisheye lenses writes them before they are "
-                "stitched: stitch it to a panorama; {option:from} paraboloid reads a dual paraboloid map, "
-                "{option:from} equirect a panorama");
+                "stitched: {option:from} dual-fisheye stitches it, {option:from} paraboloid reads a dual paraboloid "
+                "map, {option:from} equirect a panorama");
   if (form.projection == Projection::equirect && hasEqualHalves(picture, PictureHalf::left))
     return FormDoubt{
         "is 2:1 with two nearly equal halves, as the pictures of half the sphere for two eyes are: taken as one "

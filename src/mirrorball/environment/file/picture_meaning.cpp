@@ -13,6 +13,7 @@ namespace {
 
 /// Whether a Photo Sphere may tell more than the caller and the file's own metadata did.
 bool isOpenToPhotoSphere(const FormHint& hint, const Metadata& metadata) {
+  if (hint.fisheye) return false;
   if (hint.projection) return hint.projection == Projection::equirect && !hint.has_texels_on_edges;
   return !hint.layout && !statesForm(metadata);
 }
@@ -163,6 +164,12 @@ Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, co
   if (!isPlainPanorama(form)) return meaning;
   if (tells && !hint.projection && settled.projection) meaning.recognition.told_by = "its GPano";
 
+  if (hint.fisheye) {
+    meaning.fisheye = hint.fisheye;
+    if (std::string assumed = assumedText(*hint.fisheye); !assumed.empty())
+      meaning.oddities.push_back(std::move(assumed));
+    return meaning;
+  }
   meaning.part = settled.part;
   if (meaning.part && !meaning.part->showsAll() && !hint.rest) {
     const bool is_strip = !hint.part && isStrip(*sphere->area);
@@ -187,6 +194,12 @@ void adviseOnRest(const PictureWindow& window, std::vector<std::string>& odditie
 
 Result<void> completePanorama(const PictureMeaning& meaning, const FormHint& hint, DecodedImage& decoded) {
   if (!isPlainPanorama(meaning.recognition.form)) return {};
+  if (meaning.fisheye) {
+    MIRRORBALL_TRY_VOID(checkImageMemory(2 * decoded.image.height(), decoded.image.height(), 3));
+    decoded.image = stitched(decoded.image, *meaning.fisheye);
+    decoded.window.reset();
+    return {};
+  }
   if (decoded.window && !hint.rest) adviseOnRest(*decoded.window, decoded.oddities);
   const bool is_continued = hint.rest == PanoramaRest::smooth;
   // Before its edge is mixed with the black around it.

@@ -19,12 +19,13 @@ struct CameraTilt {
 /// What a picture is meant as: which map, and of a panorama which part of it, taken how.
 struct PictureMeaning {
   Recognition recognition;
-  std::optional<PanoramaPart> part = {};   ///< of a panorama, where its picture is not the whole in 2:1
-  std::optional<CameraTilt> tilt = {};     ///< that is to be undone
-  std::vector<std::string> oddities = {};  ///< DecodedImage's, of what was decided here
+  std::optional<PanoramaPart> part = {};    ///< of a panorama, where its picture is not the whole in 2:1
+  std::optional<CameraTilt> tilt = {};      ///< that is to be undone
+  std::optional<DualFisheye> fisheye = {};  ///< the picture is two circles, of which the panorama is stitched
+  std::vector<std::string> oddities = {};   ///< DecodedImage's, of what was decided here
 
   /// Whether the map is another picture than the file's.
-  bool changesPicture() const { return part || tilt; }
+  bool changesPicture() const { return part || tilt || fisheye; }
 };
 
 /// Whether a form is a panorama whose texels are ours: one that may be a part, tilted or nearly 2:1.
@@ -64,7 +65,8 @@ Result<PictureMeaning> readMeaning(glm::ivec2 size, const Metadata& metadata, co
 /// window   in which the picture lies already: OpenEXR's
 void adviseOnRest(const PictureWindow& window, std::vector<std::string>& oddities);
 
-/// Makes the picture of a panorama that of the whole one: in its place, with what the hint says around it.
+/// Makes the picture of a panorama that of the whole one: in its place, with what the hint says around it, or
+/// stitched.
 ///
 /// decoded  gets `window` where it was a part
 /// errors   as placedInPanorama's and fillAround's

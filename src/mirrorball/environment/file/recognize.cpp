@@ -115,6 +115,7 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
   const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
   if (!hint.namesForm())
     return fail(ErrorCode::usage, "'" + excerpt(word) + "' needs the form before it, as in equirect:" + excerpt(word));
+  if (hint.fisheye) return applyDualFisheyeWord(word, *hint.fisheye);
   if (key == "for") return applyPreset(value, hint);
   if (hint.projection == Projection::equirect) return applyPanoramaWord(word, value, hint);
   if (!isCube(hint))
@@ -200,6 +201,9 @@ constexpr std::string_view kHowToNamePart =
 Result<void> checkPanoramaShape(const FormHint& hint, glm::ivec2 size) {
   const bool is_right = hint.part ? heightOfWhole(size, *hint.part).has_value() : isNearlyWholePanorama(size);
   if (is_right) return {};
+  if (hint.fisheye)
+    return fail(ErrorCode::bad_shape,
+                "is " + sizeText(size) + ", and two fisheye circles side by side are 2:1; crop it to them");
   if (!hint.part)
     return fail(ErrorCode::bad_shape, "is " + sizeText(size) +
                                           ", and a map of projection equirect is 2:1; crop or scale it, or " +
@@ -254,6 +258,15 @@ Result<Recognition> recognizeShape(int width, int height) {
 
 }  // namespace
 
+std::span<const std::string_view> readFormNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
+    all.push_back(kDualFisheyeName);
+    return all;
+  }();
+  return names;
+}
+
 Result<FormHint> formHintNamed(std::string_view name) {
   if (name.empty()) return FormHint{};
   // Without a form there are words alone: "layer=rgba".
@@ -275,8 +288,11 @@ Result<FormHint> formHintNamed(std::string_view name) {
     hint.projection = *projection;
   } else if (const auto layout = cubeLayoutNamed(base)) {
     hint.layout = *layout;
+  } else if (base == kDualFisheyeName) {
+    hint.projection = Projection::equirect;
+    hint.fisheye = DualFisheye{};
   } else if (has_form) {
-    std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
+    std::vector<std::string_view> all(readFormNames().begin(), readFormNames().end());
     all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
     return tl::unexpected<Error>(unknownName("projection or cube layout", base, all, projectionAliases()));
   }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/environment/file/dual_fisheye.h"
 #include "mirrorball/environment/file/map_form.h"
 #include "mirrorball/environment/file/panorama_part.h"
 #include "mirrorball/environment/file/picture_half.h"
@@ -32,12 +35,17 @@ struct FormHint {
   std::optional<PanoramaRest> rest = {};  ///< what becomes of the directions that it does not show; nothing: black
   bool stays_tilted = false;              ///< it is not levelled where its file says how the camera was tilted
   std::optional<PictureHalf> eye = {};    ///< of a stereo picture, the half that is read
+  /// The picture is two circles, of which an equirect is stitched; nothing of what stands above of a panorama counts.
+  std::optional<DualFisheye> fisheye = {};
 
   /// Whether it says of which form a map is, and not only which layer holds it.
   bool namesForm() const { return projection || layout; }
   /// Whether it leaves it open that a map is a cube.
   bool allowsCube() const { return !projection || faceCount(*projection) == 6; }
 };
+
+/// The names that a hint begins with, but for cube layouts: the projections, and forms that are read alone.
+std::span<const std::string_view> readFormNames();
 
 /// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout
 /// ("hcross", "faces"). After a colon, with commas between, its arrangement in the file if that is not ours:
@@ -50,6 +58,7 @@ struct FormHint {
 ///   fill=smooth, fill=black   what becomes of the rest
 ///   level=no             it is not levelled where its file says how the camera was tilted
 ///   eye=HALF             of a stereo picture of two panoramas, the one at the "top", "bottom", "left" or "right"
+///   fov=D, turn=L,R      of "dual-fisheye" (applyDualFisheyeWord)
 ///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several;
 ///                        layer="NAME" with commas in it
 ///

@@ -199,7 +199,7 @@ TEST(Recognize, UnknownNamesListAll) {
   ASSERT_FALSE(hint);
   EXPECT_THAT(hint.error().message,
               HasSubstr("equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
-                        "equal-area, eac, faces, hcross"));
+                        "equal-area, eac, dual-fisheye, faces, hcross"));
 }
 
 TEST(FormHintNamed, NamesALayerWithAnyFormOrWithoutOne) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -37,12 +39,25 @@ std::vector<fs::path> thoseThere(const std::vector<fs::path>& candidates) {
   return there;
 }
 
-/// The folder that Mesa puts its own into. The user's home is that of the user database, whatever HOME says.
+/// The home that the user database has, whatever HOME says; empty: it has none.
+fs::path findUsersHome() {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  std::vector<char> texts(1024);
+  for (;;) {
+    passwd entry{};
+    passwd* found = nullptr;
+    const int error = ::getpwuid_r(::getuid(), &entry, texts.data(), texts.size(), &found);
+    if (error != ERANGE || texts.size() >= kMostBytes) return found == nullptr ? fs::path() : fs::path(found->pw_dir);
+    texts.resize(2 * texts.size());
+  }
+}
+
+/// The folder that Mesa puts its own into.
 fs::path folderAboveMesas() {
   for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"})
     if (const std::string folder = variable(name); !folder.empty()) return folder;
-  const passwd* user = ::getpwuid(::getuid());
-  return user == nullptr ? fs::path() : fs::path(user->pw_dir) / ".cache";
+  const fs::path home = findUsersHome();
+  return home.empty() ? home : home / ".cache";
 }
 
 /// Mesa has three kinds of files, each in a folder of its own; which is the usual one depends on its version.

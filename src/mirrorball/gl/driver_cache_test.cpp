@@ -2,11 +2,16 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <map>
+#include <list>
+#include <optional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pwd.h>
 #include <unistd.h>
+
+#include "environment_variable_testing.h"
 
 namespace mirrorball::gl {
 namespace {
@@ -24,16 +29,10 @@ class DriverCacheTest : public ::testing::Test {
     fs::remove_all(folder_);
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_SHADER_CACHE_DISABLE", "MESA_DISK_CACHE_DATABASE",
                              "MESA_DISK_CACHE_SINGLE_FILE", "XDG_CACHE_HOME", "HOME", "__GL_SHADER_DISK_CACHE",
-                             "__GL_SHADER_DISK_CACHE_PATH"}) {
-      const char* value = std::getenv(name);
-      before_[name] = value == nullptr ? std::optional<std::string>() : std::string(value);
-      ::unsetenv(name);
-    }
+                             "__GL_SHADER_DISK_CACHE_PATH"})
+      without_.emplace_back(name, std::nullopt);
   }
-  ~DriverCacheTest() override {
-    for (const auto& [name, value] : before_) value ? set(name, *value) : static_cast<void>(::unsetenv(name.c_str()));
-    fs::remove_all(folder_);
-  }
+  ~DriverCacheTest() override { fs::remove_all(folder_); }
 
   static void set(const std::string& name, const std::string& value) { ::setenv(name.c_str(), value.c_str(), 1); }
 
@@ -45,7 +44,7 @@ class DriverCacheTest : public ::testing::Test {
   const fs::path folder_ = fs::path(::testing::TempDir()) / ("driver_cache_" + std::to_string(::getpid()));
 
  private:
-  std::map<std::string, std::optional<std::string>> before_;
+  std::list<testing::VariableForTest> without_;  // whose end restores what tests set
 };
 
 TEST_F(DriverCacheTest, MesasFolderIsWhereItsVariablesSay) {
@@ -58,6 +57,13 @@ TEST_F(DriverCacheTest, MesasFolderIsWhereItsVariablesSay) {
   write(folder_ / "own" / "mesa_shader_cache_db" / "part0" / "mesa_cache.db", 7);
   EXPECT_THAT(findDriverCache(kMesa)->folders, ElementsAre(folder_ / "own" / "mesa_shader_cache_db"))
       << "what is there is shown";
+}
+
+TEST_F(DriverCacheTest, MesasFolderIsInTheHomeOfTheUserDatabase) {
+  const passwd* user = ::getpwuid(::getuid());
+  if (user == nullptr) GTEST_SKIP() << "which has no such user";
+  set("HOME", folder_ / "other");
+  EXPECT_EQ(findDriverCache(kMesa)->folders.front().parent_path(), fs::path(user->pw_dir) / ".cache");
 }
 
 TEST_F(DriverCacheTest, MesasIsOnUnlessItIsDisabled) {

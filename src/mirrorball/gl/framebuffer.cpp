@@ -66,6 +66,17 @@ void drawOverAll() {
   glDisable(GL_CULL_FACE);
 }
 
+void setBlending(bool is_blended) {
+  if (is_blended) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+  } else {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+}
+
 void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
 
 Depths Framebuffer::depths() const {

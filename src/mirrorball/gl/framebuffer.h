@@ -79,4 +79,8 @@ Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::
 /// From now on all that is drawn counts: without depth test, blending and culling.
 void drawOverAll();
 
+/// From now on what is drawn is laid over what is there by its alpha, and leaves the depths as they are; or, not
+/// blended, replaces both.
+void setBlending(bool is_blended);
+
 }  // namespace mirrorball::gl

@@ -53,7 +53,7 @@ bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
 }
 
 /// Makes the picture of the screen, as large as the frame, if some surfaces see it.
-Result<void> SceneDrawing::makeScreen(const FrameSettings& settings) {
+Result<void> SceneDrawing::makeOpaquePicture(const FrameSettings& settings) {
   const std::vector<Material>& materials = scene().materials;
   const auto sees = [&](const Material& each) { return seesScreen(each, settings); };
   if (std::none_of(materials.begin(), materials.end(), sees)) return {};
@@ -74,7 +74,7 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   opaque_picture_->take(target, frame.sample.camera, frame.screen.unit);
   frame.screen.opaque_picture = &opaque_picture_->picture();
   target.bind();
-  glEnable(GL_DEPTH_TEST);
+  beginSurfaceState(frame.sample, false);
   return beginSurfaces(target, light, frame, settings);
 }
 
@@ -89,7 +89,7 @@ Result<void> SceneDrawing::drawLayers(const gl::Framebuffer& target, const Envir
       for (const ScreenLayer& other : layers)
         if (&other != &layer) others.insert(others.end(), other.instances.begin(), other.instances.end());
       frame.sample.hidden = others;
-      MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
+      MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame.sample));
       frame.sample.hidden = hidden;
     }
     frame.screen.shown = layer.shown;
@@ -108,12 +108,12 @@ Result<SceneUniforms> SceneDrawing::begin(const FrameSettings& settings, const S
   SceneUniforms uniforms;
   MIRRORBALL_TRY_VOID(makeBodies(settings, sample, uniforms));
   // Back faces are looked for in a picture, which does not tell what is around them.
-  if (someRefract(scene(), RefractionKind::image_space, settings.refraction))
-    MIRRORBALL_TRY_VOID(staged_->findIorAround());
+  if (readsBackFaces(settings)) MIRRORBALL_TRY_VOID(staged_->findIorAround());
   MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, uniforms));
   MIRRORBALL_TRY(coordinates, coordinateMatrices(scene(), staged_->bounds(), sample.camera, settings));
   uniforms.coordinates = coordinates;
-  if (!sample.has_empty_screen) MIRRORBALL_TRY_VOID(makeScreen(settings));
+  if (!sample.has_empty_screen) MIRRORBALL_TRY_VOID(makeOpaquePicture(settings));
+  MIRRORBALL_TRY_VOID(makeSearchedPictures(settings));
   return uniforms;
 }
 
@@ -155,26 +155,48 @@ Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, Sce
   return {};
 }
 
-Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.screen.back_faces = nullptr;
-  if (!someRefract(scene(), RefractionKind::image_space, settings.refraction)) return {};
-  if (!back_faces_) {
-    MIRRORBALL_TRY(made, BackFaces::make(api()));
-    back_faces_ = std::move(made);
-  }
-  frame.screen.back_faces = &*back_faces_;
-  return back_faces_->draw(scene(), staged_->buffers(), frame.sample.camera, settings.size, frame.sample.hidden);
+bool SceneDrawing::readsBackFaces(const FrameSettings& settings) const {
+  return someRefract(scene(), RefractionKind::image_space, settings.refraction);
 }
 
-Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUniforms& frame) {
-  frame.screen.relief_hits = nullptr;
-  if (settings.relief != ReliefKind::exact || scene().height_textures.empty()) return {};
+bool SceneDrawing::readsReliefHits(const FrameSettings& settings) const {
+  return settings.relief == ReliefKind::exact && !scene().height_textures.empty();
+}
+
+/// Makes the pictures that surfaces search for bodies and relief, as large as the frame.
+Result<void> SceneDrawing::makeSearchedPictures(const FrameSettings& settings) {
+  if (readsBackFaces(settings)) {
+    if (!back_faces_) {
+      MIRRORBALL_TRY(made, BackFaces::make(api()));
+      back_faces_ = std::move(made);
+    }
+    MIRRORBALL_TRY_VOID(back_faces_->resize(settings.size));
+  }
+  if (!readsReliefHits(settings)) return {};
   if (!relief_hits_) {
     MIRRORBALL_TRY(made, ReliefHits::make(api()));
     relief_hits_ = std::move(made);
   }
-  frame.screen.relief_hits = &relief_hits_->picture();
-  return relief_hits_->draw(scene(), staged_->buffers(), frame.sample.camera, settings.size, frame.sample.hidden);
+  return relief_hits_->resize(settings.size);
+}
+
+/// Chooses the pictures of the screen that surfaces read, drawn or not: drivers compile a program for the textures that
+/// are bound where it is first drawn.
+void SceneDrawing::chooseScreenPictures(const FrameSettings& settings, ScreenUniforms& screen) const {
+  screen.opaque_picture =
+      settings.behind == BehindKind::screen && opaque_picture_ ? &opaque_picture_->picture() : nullptr;
+  screen.back_faces = readsBackFaces(settings) ? &*back_faces_ : nullptr;
+  screen.relief_hits = readsReliefHits(settings) ? &relief_hits_->picture() : nullptr;
+}
+
+Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, const SampleUniforms& sample) {
+  if (!readsBackFaces(settings)) return {};
+  return back_faces_->draw(scene(), staged_->buffers(), sample.camera, settings.size, sample.hidden);
+}
+
+Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, const SampleUniforms& sample) {
+  if (!readsReliefHits(settings)) return {};
+  return relief_hits_->draw(scene(), staged_->buffers(), sample.camera, settings.size, sample.hidden);
 }
 
 Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
@@ -218,18 +240,14 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::vector<ScreenLayer> layers;
   if (settings.behind == BehindKind::screen && !frame.sample.has_empty_screen)
     layers = screenLayers(scene(), staged_->boxes(), staged_->bounds().radius, order, settings);
-  // Both are bound from the start, since drivers compile a program for the textures that it reads.
-  if (settings.behind == BehindKind::screen && opaque_picture_)
-    frame.screen.opaque_picture = &opaque_picture_->picture();
-  if (layers.size() <= 1 || !back_faces_) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
-  MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
+  if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame.sample));
+  MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame.sample));
+  chooseScreenPictures(settings, frame.screen);
   MIRRORBALL_TRY_VOID(beginSurfaces(target, light, frame, settings));
   target.bind();
   clear(frame.sample, pageOf(settings));
-  glDisable(GL_BLEND);
+  beginSurfaceState(frame.sample, false);
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
   drawWhatSeesNothing(order, frame, settings);
   if (settings.showsEnvironment() || (!is_mirrored && showsShadowAlone(settings)))
     device_->background.draw(light, frame, settings);
@@ -237,7 +255,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   keepWhatShowsThrough(layers, frame);
   const Result<void> drawn = drawLayers(target, light, frame, settings, layers);
   if (drawn) drawBlended(frame, settings);
-  if (frame.sample.mask || frame.sample.tests_stencil) PixelMask::end();
+  endSurfaceState();
   return drawn;
 }
 
@@ -269,24 +287,22 @@ void SceneDrawing::drawWhatSeesNothing(const std::vector<int>& order, const Fram
   drawInstances(seeing_nothing, frame, settings);
 }
 
-Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light,
-                                      const FrameUniforms& frame, const FrameSettings& settings) {
+Result<int> SceneDrawing::makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                                      const FrameSettings& settings) {
   MIRRORBALL_TRY_VOID(filterMaps(settings.texture_filter));  // by which drivers tell programs apart, too
+  chooseScreenPictures(settings, frame.screen);
   MIRRORBALL_TRY(made, surfaces_.makeProgram(device_->surfaces(), scene(), staged_->buffers(), light, frame, settings));
   if (!made) return 0;
   target.bind();
   glViewport(0, 0, 1, 1);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
   const bool is_blended = staged_->traits()[std::size_t(made->instance)].is_blended;
-  setBlending(is_blended);
+  beginSurfaceState(frame.sample, is_blended);
   chooseCulling(made->instance, frame);
-  if (frame.sample.mask) PixelMask::limit();  // by whose test drivers tell programs apart, too
-  device_->depthPass().draw(scene(), made->instance, staged_->buffers(), frame.sample.camera,
-                            DepthPass::Offset::farther);
+  if (!is_blended)
+    device_->depthPass().draw(scene(), made->instance, staged_->buffers(), frame.sample.camera,
+                              DepthPass::Offset::farther);
   surfaces_.tryOut(scene(), staged_->buffers(), settings);
-  if (frame.sample.mask) PixelMask::end();
-  if (is_blended) setBlending(false);
+  endSurfaceState();
   return made->left;
 }
 
@@ -386,9 +402,9 @@ std::vector<int> SceneDrawing::sortedByDistance(const FrameUniforms& frame, bool
 void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
   const std::vector<int>& blended = byDistance(frame, true);
   if (blended.empty()) return;
-  setBlending(true);
+  gl::setBlending(true);
   for (const int instance : blended) drawInstance(instance, frame, settings);
-  setBlending(false);
+  gl::setBlending(false);
 }
 
 }  // namespace mirrorball

@@ -51,7 +51,7 @@ class SceneDrawing {
   /// frame    as draw's
   /// returns  how many are left
   /// errors   unsupported
-  Result<int> makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
+  Result<int> makeProgram(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                           const FrameSettings& settings);
 
   /// Which program each instance needs in a frame, without those of pictures that a sample makes on its way.
@@ -87,14 +87,18 @@ class SceneDrawing {
   Result<void> filterMaps(TextureFilter filter);
   Result<void> makeBodies(const FrameSettings& settings, const SampleUniforms& sample, SceneUniforms& uniforms);
   Result<void> makeSceneTriangles(const FrameSettings& settings, SceneUniforms& uniforms);
-  Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
+  bool readsBackFaces(const FrameSettings& settings) const;
+  bool readsReliefHits(const FrameSettings& settings) const;
+  Result<void> makeSearchedPictures(const FrameSettings& settings);
+  void chooseScreenPictures(const FrameSettings& settings, ScreenUniforms& screen) const;
+  Result<void> drawBackFaces(const FrameSettings& settings, const SampleUniforms& sample);
   bool someSeeScreenRoughly(const FrameSettings& settings) const;
-  Result<void> makeScreen(const FrameSettings& settings);
+  Result<void> makeOpaquePicture(const FrameSettings& settings);
   Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
                           const FrameSettings& settings);
   Result<void> drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                           const FrameSettings& settings, const std::vector<ScreenLayer>& layers);
-  Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> drawReliefHits(const FrameSettings& settings, const SampleUniforms& sample);
   const std::vector<int>& byDistance(const FrameUniforms& frame, bool is_blended);
   std::vector<int> sortedByDistance(const FrameUniforms& frame, bool is_blended) const;
   void keepWhatShowsThrough(const std::vector<ScreenLayer>& layers, const FrameUniforms& frame);

@@ -26,10 +26,14 @@ Result<BackFaces> BackFaces::make(gl::Api api) {
   return BackFaces(std::move(program));
 }
 
+Result<void> BackFaces::resize(glm::ivec2 size) {
+  return gl::resize(framebuffer_, gl::Format::rgba32f, size + 2 * marginOf(size), gl::Depths::alone);
+}
+
 Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                              std::span<const int> hidden) {
-  const glm::ivec2 drawn = size + 2 * marginOf(size);
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, drawn, gl::Depths::alone));
+  MIRRORBALL_TRY_VOID(resize(size));
+  const glm::ivec2 drawn(framebuffer_->width(), framebuffer_->height());
   const glm::dvec3 shown(glm::dvec2(size) / glm::dvec2(drawn), 1.0);
   const glm::dmat4 clip_from_view = glm::scale(glm::dmat4(1.0), shown) * glm::dmat4(camera.clip_from_view);
   const glm::dvec3 half(glm::dvec2(drawn) / 2.0, 1.0);

@@ -23,6 +23,11 @@ class BackFaces {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<BackFaces> make(gl::Api api);
 
+  /// Makes the picture for a frame of that size, unless there is one. It must be called before `picture`.
+  ///
+  /// errors   too_large
+  Result<void> resize(glm::ivec2 size);
+
   /// Draws them as a camera sees them in a frame of that size. The framebuffer is another one then; blending is off.
   ///
   /// hidden   instances that are not drawn

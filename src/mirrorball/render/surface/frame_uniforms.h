@@ -63,6 +63,9 @@ struct SampleUniforms {
   bool has_empty_screen = false;     ///< where the frame's surfaces see the screen through themselves, they see
                                      ///< what they would without it
   std::span<const int> hidden = {};  ///< instances that are not drawn
+
+  /// Whether draws test the stencil.
+  bool limitsPixels() const { return mask || tests_stencil; }
 };
 
 /// A sample of a picture that the surfaces of such a frame reflect. What is beside it, it does not show: so nothing is

@@ -22,7 +22,6 @@ void clearAll(glm::vec4 page, GLbitfield buffers) {
   glClearColor(page.x, page.y, page.z, page.w);
   glClearStencil(kChanges);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | buffers);
-  PixelMask::limit();
 }
 
 }  // namespace

@@ -15,9 +15,13 @@ Result<ReliefHits> ReliefHits::make(gl::Api api) {
   return ReliefHits(std::move(program));
 }
 
+Result<void> ReliefHits::resize(glm::ivec2 size) {
+  return gl::resize(framebuffer_, gl::Format::rgba32f, size, gl::Depths::alone);
+}
+
 Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                               std::span<const int> hidden) {
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, gl::Depths::alone));
+  MIRRORBALL_TRY_VOID(resize(size));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -22,6 +22,11 @@ class ReliefHits {
   /// errors   unsupported (the driver does not compile a shader)
   static Result<ReliefHits> make(gl::Api api);
 
+  /// Makes the picture for a frame of that size, unless there is one. It must be called before `picture`.
+  ///
+  /// errors   too_large
+  Result<void> resize(glm::ivec2 size);
+
   /// Draws it as a camera sees it in a frame of that size. The framebuffer is another one then; blending is off.
   ///
   /// buffers  with the prisms of all meshes whose material has heights

@@ -103,15 +103,16 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
 
 }  // namespace
 
-void setBlending(bool is_blended) {
-  if (is_blended) {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-  } else {
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-  }
+void beginSurfaceState(const SampleUniforms& sample, bool is_blended) {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  if (sample.limitsPixels()) PixelMask::limit();
+  gl::setBlending(is_blended);
+}
+
+void endSurfaceState() {
+  PixelMask::end();
+  gl::setBlending(false);
 }
 
 SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
@@ -280,9 +281,6 @@ Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& p
   MIRRORBALL_TRY(picture, gl::Framebuffer::make(target.color().format(), 1, 1, target.depths()));
   const gl::VertexArray no_vertices;
   picture.bind();
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  if (uniforms_.sample.mask || uniforms_.sample.tests_stencil) PixelMask::limit();
   Result<void> result;
   for (int cached = 0; cached < kMostCached;) {
     std::unique_lock lock(waiting.mutex);
@@ -301,13 +299,12 @@ Result<void> SurfaceDrawing::compileWaiting(Waiting& waiting, SurfacePrograms& p
     bindTextures(draw, scene, buffers);
     draw.program->program.use();
     lock.unlock();
-    setBlending(program.variant.has(Part::alpha, AlphaPart::blend));
+    beginSurfaceState(uniforms_.sample, program.variant.has(Part::alpha, AlphaPart::blend));
     no_vertices.draw(3);
     // What the driver has in its cache, it reads as fast when the frame is drawn.
     cached = std::chrono::steady_clock::now() - start > kCached ? 0 : cached + 1;
   }
-  setBlending(false);
-  PixelMask::end();
+  endSurfaceState();
   glFinish();
   return result;
 }

@@ -23,8 +23,10 @@
 
 namespace mirrorball {
 
-/// Whether surfaces are laid over each other, or hide each other.
-void setBlending(bool is_blended);
+/// Sets the state that surfaces of a drawing are drawn with, for each of which drivers compile a program anew: the tests
+/// of depths and of the stencil, and whether they are laid over each other or hide each other. Until endSurfaceState().
+void beginSurfaceState(const SampleUniforms& sample, bool is_blended);
+void endSurfaceState();
 
 /// How a view draws the surfaces of a scene: which program each instance needs, which light it reads, and the uniform
 /// blocks of the frame and its lights.

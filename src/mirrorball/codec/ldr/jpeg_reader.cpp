@@ -115,16 +115,14 @@ bool isInInks(const jpeg_decompress_struct& codec) {
   return codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK;
 }
 
-/// Cyan, magenta, yellow and black, which Adobe's programs store as what they let through, as the colours that are left
-/// of white.
+/// Cyan, magenta, yellow and black as the colours that are left of white. A code of 255 is no ink: Adobe's programs
+/// store what the inks let through. Files without Adobe's marker are read likewise, as by all of Chromium, Firefox,
+/// WebKit, ImageMagick, Pillow and gdk-pixbuf; libjpeg leaves it open, and libvips and Wine count 0 as no ink there.
 ///
-/// ink                 of as many texels as the row has
-/// is_stored_as_light  whether a code of 255 is no ink
-void mixInks(const JSAMPLE* ink, bool is_stored_as_light, std::span<std::uint8_t> row, std::size_t channels) {
-  const unsigned turned = is_stored_as_light ? 0 : 255;
+/// ink   of as many texels as the row has
+void mixInks(const JSAMPLE* ink, std::span<std::uint8_t> row, std::size_t channels) {
   for (std::size_t at = 0; at + channels <= row.size(); at += channels, ink += 4) {
-    for (std::size_t c = 0; c < 3; ++c)
-      row[at + c] = static_cast<std::uint8_t>(((ink[c] ^ turned) * (ink[3] ^ turned) + 127) / 255);
+    for (std::size_t c = 0; c < 3; ++c) row[at + c] = static_cast<std::uint8_t>((ink[c] * ink[3] + 127) / 255);
     if (channels == 4) row[at + 3] = 255;
   }
 }
@@ -132,7 +130,7 @@ void mixInks(const JSAMPLE* ink, bool is_stored_as_light, std::span<std::uint8_t
 std::string inkRemark(const jpeg_decompress_struct& codec, const IccProfile& profile) {
   std::string remark = "is in inks (CMYK): mixed to RGB by their product, without ";
   remark += profile.description.empty() ? "a profile of them" : "their profile (" + profile.description + ")";
-  return codec.saw_Adobe_marker ? remark : remark + "; 0 is taken as no ink, for lack of Adobe's marker";
+  return codec.saw_Adobe_marker ? remark : remark + "; 255 is taken as no ink, though Adobe's marker is missing";
 }
 
 /// The ICC profile in the file's markers, if there is one.
@@ -160,7 +158,7 @@ Result<void> readRows(Decompressor& decoder, Image8& picture, std::size_t size) 
       const auto shown = picture.row(static_cast<int>(codec.output_scanline));
       JSAMPROW row = inks.empty() ? shown.data() : inks.data();
       jpeg_read_scanlines(&codec, &row, 1);
-      if (!inks.empty()) mixInks(inks.data(), codec.saw_Adobe_marker != FALSE, shown, channels);
+      if (!inks.empty()) mixInks(inks.data(), shown, channels);
     }
     decoder.damage.checkScans(codec);
     if (codec.output_scanline == codec.output_height) jpeg_finish_decompress(&codec);

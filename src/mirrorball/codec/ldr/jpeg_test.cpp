@@ -183,7 +183,7 @@ Image8 inks(std::uint8_t cyan, std::uint8_t magenta, std::uint8_t yellow, std::u
   return picture;
 }
 
-// Adobe's programs store what the inks let through: 255 is none of them.
+// Adobe's programs store what the inks let through: 255 is none of them. Browsers take every file so.
 TEST(Jpeg, InksAreMixed) {
   struct InkCase {
     testing::JpegForm form;
@@ -196,9 +196,9 @@ TEST(Jpeg, InksAreMixed) {
         InkCase{{.channels = 4, .stored = JCS_YCCK}, inks(255, 200, 100, 128), adobe},
         InkCase{
             {.channels = 4, .has_adobe_marker = false},
-            inks(0, 55, 155, 127),
-            "is in inks (CMYK): mixed to RGB by their product, without a profile of them; 0 is taken as no ink, for "
-            "lack of Adobe's marker"}}) {
+            inks(255, 200, 100, 128),
+            "is in inks (CMYK): mixed to RGB by their product, without a profile of them; 255 is taken as no ink, "
+            "though Adobe's marker is missing"}}) {
     SCOPED_TRACE(c.remark);
     const Bytes bytes = testing::jpegFile(c.stored, c.form);
     const auto codes = decodeCodes(bytes);

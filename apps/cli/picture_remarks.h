@@ -13,8 +13,7 @@ namespace mirrorball::cli {
 /// picture  as it was read: a DecodedImage or a Decoded
 template <typename Picture>
 void remarkOnPicture(const std::string& name, const Picture& picture) {
-  for (const std::string& oddity : withOtherLayer(picture.oddities, picture.is_layer_guessed))
-    remark(name + ": " + oddity);
+  for (const std::string& oddity : withOtherLayer(picture.oddities, picture.layer_guess)) remark(name + ": " + oddity);
 }
 
 }  // namespace mirrorball::cli

@@ -95,8 +95,8 @@ Result<Decoded<Texels>> decodeTexels(Span bytes, const ImageReadOptions& options
   }
   MIRRORBALL_TRY(decoded, decodeByMagic(bytes, options));
   MIRRORBALL_TRY_VOID(checkMemory(bytesWithAlpha(decoded.image)));
-  return Decoded<Texels>{withAlpha(std::move(decoded.image)), std::move(decoded.oddities), decoded.is_layer_guessed,
-                         decoded.is_converted};
+  return Decoded<Texels>{withAlpha(std::move(decoded.image)), std::move(decoded.oddities),
+                         std::move(decoded.layer_guess), decoded.is_converted};
 }
 
 ImageReadOptions asNumbers(ImageReadOptions options) {
@@ -196,7 +196,7 @@ Result<Decoded<Texels>> decodeDataTexture(Span bytes, const ImageReadOptions& op
 
 Result<Decoded<Image>> decodeNumbers(Span bytes, const ImageReadOptions& options) {
   MIRRORBALL_TRY(decoded, decodeImage(bytes, asNumbers(options)));
-  return Decoded<Image>{std::move(decoded.image), std::move(decoded.oddities), decoded.is_layer_guessed};
+  return Decoded<Image>{std::move(decoded.image), std::move(decoded.oddities), std::move(decoded.layer_guess)};
 }
 
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {

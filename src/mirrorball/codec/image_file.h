@@ -63,10 +63,11 @@ struct DecodedImage {
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
   GainMapUse gain_map = GainMapUse::none;
   std::optional<PictureWindow> window = {};  ///< where the file holds a part of a larger picture, or more than it;
-                                             ///< the last of `oddities` says so
+                                             ///< one of `oddities` says so: windowText
   std::vector<PictureLayer> layers = {};     ///< to choose from (ImageReadOptions::layer), if there are several
   std::string layer = {};                    ///< the one that was read, of a format that has layers
-  bool is_layer_guessed = false;             ///< none was asked for, and the first of `oddities` tells of the choice
+  std::string layer_guess = {};              ///< the one of `oddities` that says that it was chosen among several,
+                                             ///< since none was asked for; empty: there was no choice
   std::vector<std::string> oddities = {};  ///< what is unusual in the file and how it was read; lines without its name
   bool is_converted = false;               ///< the samples are light, not what ReadAs::numbers gives
 };
@@ -90,7 +91,7 @@ template <typename Picture>
 struct Decoded {
   Picture picture;
   std::vector<std::string> oddities = {};  ///< DecodedImage's
-  bool is_layer_guessed = false;           ///< DecodedImage's
+  std::string layer_guess = {};            ///< DecodedImage's
   bool is_converted = false;               ///< DecodedImage's
 };
 

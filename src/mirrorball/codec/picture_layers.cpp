@@ -1,5 +1,7 @@
 #include "mirrorball/codec/picture_layers.h"
 
+#include <algorithm>
+
 namespace mirrorball {
 
 OptionText layerText(std::string_view group) {
@@ -11,9 +13,10 @@ OptionText layerText(std::string_view group) {
           .group = group};
 }
 
-std::vector<std::string> withOtherLayer(std::vector<std::string> oddities, bool is_layer_guessed,
+std::vector<std::string> withOtherLayer(std::vector<std::string> oddities, const std::string& layer_guess,
                                         std::string_view way) {
-  if (is_layer_guessed && !oddities.empty()) oddities.front() += "; " + std::string(way) + " takes another";
+  const auto guess = std::find(oddities.begin(), oddities.end(), layer_guess);
+  if (!layer_guess.empty() && guess != oddities.end()) *guess += "; " + std::string(way) + " takes another";
   return oddities;
 }
 

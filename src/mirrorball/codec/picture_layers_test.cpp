@@ -15,13 +15,14 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(PictureLayers, AGuessIsTheFirstRemarkAndGetsTheOptionThatMendsIt) {
-  EXPECT_THAT(withOtherLayer({"has several pictures", "is cropped"}, true),
-              ElementsAre("has several pictures; {option:layer} NAME takes another", "is cropped"));
-  EXPECT_THAT(withOtherLayer({"has several pictures"}, true, "{option:from} layer=NAME"),
+TEST(PictureLayers, AGuessGetsTheOptionThatMendsItWhereverItStands) {
+  const std::string guess = "has several pictures";
+  EXPECT_THAT(withOtherLayer({"is cropped", guess}, guess),
+              ElementsAre("is cropped", "has several pictures; {option:layer} NAME takes another"));
+  EXPECT_THAT(withOtherLayer({guess}, guess, "{option:from} layer=NAME"),
               ElementsAre("has several pictures; {option:from} layer=NAME takes another"));
-  EXPECT_THAT(withOtherLayer({"is cropped"}, false), ElementsAre("is cropped"));
-  EXPECT_TRUE(withOtherLayer({}, true).empty());
+  EXPECT_THAT(withOtherLayer({"is cropped", ""}, ""), ElementsAre("is cropped", ""));
+  EXPECT_TRUE(withOtherLayer({}, guess).empty());
 }
 
 TEST(PictureLayers, FilesOfOnePictureHaveNone) {

@@ -25,7 +25,7 @@ class RowReader {
     std::optional<PictureWindow> window = {};  ///< this and the rest as in DecodedImage
     std::vector<PictureLayer> layers = {};
     std::string layer = {};
-    bool is_layer_guessed = false;
+    std::string layer_guess = {};
     std::vector<std::string> oddities = {};
   };
 

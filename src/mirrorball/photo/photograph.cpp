@@ -52,7 +52,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path, const std::
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
     return fail(ErrorCode::non_finite, photograph.name + ": " + textOf(bad));
   photograph.light = std::move(decoded.image);
-  photograph.oddities = withOtherLayer(std::move(decoded.oddities), decoded.is_layer_guessed);
+  photograph.oddities = withOtherLayer(std::move(decoded.oddities), decoded.layer_guess);
   return photograph;
 }
 

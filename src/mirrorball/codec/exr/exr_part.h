@@ -55,7 +55,7 @@ class ExrPart {
     to.window = window_.part;
     to.layer = layer().name;
     if (layers_.size() > 1) to.layers = pictureLayers(layers_);
-    to.is_layer_guessed = choice_.is_guessed;
+    if (choice_.is_guessed) to.layer_guess = choice_.oddity;
     for (const std::string& oddity : {choice_.oddity, window_.oddity, rowsRemark()})
       if (!oddity.empty()) to.oddities.push_back(oddity);
   }

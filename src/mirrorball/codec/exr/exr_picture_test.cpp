@@ -34,7 +34,7 @@ TEST(ExrPicture, OfBlendersLayersIsTheCombinedOne) {
   const DecodedImage back = decoded(constantFile(kBlender));
   EXPECT_THAT(back.image.samples().first(4), ElementsAre(1.0f, 2.0f, 3.0f, 0.5f));
   EXPECT_EQ(back.layer, "View.Combined");
-  EXPECT_TRUE(back.is_layer_guessed);
+  EXPECT_THAT(back.oddities, ::testing::Contains(back.layer_guess));
   EXPECT_THAT(layerTexts(back.layers), ElementsAre("View.AO: R G B", "View.Combined: R G B A", "View.Depth: Z",
                                                    "View.Emit: R G B", "View.Normal: X Y Z"));
   EXPECT_THAT(back.oddities, ElementsAre("has several pictures (View.Combined, View.Emit): View.Combined was read"));
@@ -47,7 +47,7 @@ TEST(ExrPicture, IsTheLayerThatIsAskedFor) {
   ASSERT_TRUE(normal);
   EXPECT_THAT(normal->image.samples().first(3), ElementsAre(-1.0f, -2.0f, -3.0f));
   EXPECT_EQ(normal->layer, "View.Normal");
-  EXPECT_FALSE(normal->is_layer_guessed);
+  EXPECT_EQ(normal->layer_guess, "");
   EXPECT_TRUE(normal->oddities.empty());
   const auto depth = decodeExr(bytes, {.layer = "View.Depth"});
   ASSERT_TRUE(depth);
@@ -113,7 +113,7 @@ TEST(ExrPicture, OfRedAloneIsGrey) {
   EXPECT_EQ(back.image.channels(), 1);
   EXPECT_EQ(back.image.samples()[0], 2.0f);
   EXPECT_THAT(back.oddities, ElementsAre("has red without green and blue: read as grey"));
-  EXPECT_FALSE(back.is_layer_guessed);
+  EXPECT_EQ(back.layer_guess, "");
 }
 
 }  // namespace

@@ -98,11 +98,13 @@ Result<Decoded<Texels>> asTexels(CodedFile file, ReadAs as) {
   }
   tellColor(file);
   if (isSrgb(file.color))
-    return Decoded<Texels>{Texels(textureOf(std::move(file.codes))), std::move(file.oddities), false, !are_bytes};
+    return Decoded<Texels>{.picture = Texels(textureOf(std::move(file.codes))),
+                           .oddities = std::move(file.oddities),
+                           .is_converted = !are_bytes};
   MIRRORBALL_TRY_VOID(checkMemory(bytesToConvert(file.codes)));
   Image light = withAlpha(lightOf(file.codes, file.color));
   Texels texels = fitsCodes(light) ? Texels(pictureFromLinear(light, 4)) : Texels(std::move(light));
-  return Decoded<Texels>{std::move(texels), std::move(file.oddities), false, true};
+  return Decoded<Texels>{.picture = std::move(texels), .oddities = std::move(file.oddities), .is_converted = true};
 }
 
 PictureCodes asCodes(CodedFile file) {

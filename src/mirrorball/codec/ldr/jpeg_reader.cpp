@@ -115,7 +115,7 @@ bool isInInks(const jpeg_decompress_struct& codec) {
   return codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK;
 }
 
-/// Cyan, magenta, yellow and black as the colours that are left of white. A code of 255 is no ink: Adobe's programs
+/// Cyan, magenta, yellow and black as the colours that are left of white. A code of 255 means no ink: Adobe's programs
 /// store what the inks let through. Files without Adobe's marker are read likewise, as by all of Chromium, Firefox,
 /// WebKit, ImageMagick, Pillow and gdk-pixbuf; libjpeg leaves it open, and libvips and Wine count 0 as no ink there.
 ///

@@ -194,11 +194,10 @@ TEST(Jpeg, InksAreMixed) {
   for (const InkCase& c :
        {InkCase{{.channels = 4}, inks(255, 200, 100, 128), adobe},
         InkCase{{.channels = 4, .stored = JCS_YCCK}, inks(255, 200, 100, 128), adobe},
-        InkCase{
-            {.channels = 4, .has_adobe_marker = false},
-            inks(255, 200, 100, 128),
-            "is in inks (CMYK): mixed to RGB by their product, without a profile of them; 255 is taken as no ink, "
-            "though Adobe's marker is missing"}}) {
+        InkCase{{.channels = 4, .has_adobe_marker = false},
+                inks(255, 200, 100, 128),
+                "is in inks (CMYK): mixed to RGB by their product, without a profile of them; 255 is taken as no ink, "
+                "though Adobe's marker is missing"}}) {
     SCOPED_TRACE(c.remark);
     const Bytes bytes = testing::jpegFile(c.stored, c.form);
     const auto codes = decodeCodes(bytes);

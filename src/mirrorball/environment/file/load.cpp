@@ -159,7 +159,7 @@ Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const std::optional<
                            .is_levelled = meaning.tilt.has_value(),
                            .layers = std::move(decoded.layers),
                            .layer = std::move(decoded.layer),
-                           .is_layer_guessed = decoded.is_layer_guessed,
+                           .layer_guess = std::move(decoded.layer_guess),
                            .oddities = std::move(decoded.oddities)};
 }
 
@@ -261,9 +261,9 @@ Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoa
   return loaded;
 }
 
-void tellOddities(const std::string& name, const std::vector<std::string>& oddities, bool is_layer_guessed,
+void tellOddities(const std::string& name, const std::vector<std::string>& oddities, const std::string& layer_guess,
                   const Observer& observer) {
-  for (const std::string& oddity : withOtherLayer(oddities, is_layer_guessed, "{option:from} layer=NAME"))
+  for (const std::string& oddity : withOtherLayer(oddities, layer_guess, "{option:from} layer=NAME"))
     observer.tell(RemarkKind::file_odd, name + ": " + oddity);
 }
 
@@ -373,12 +373,12 @@ void tellAbout(const PanoramaRows& panorama, const std::string& name, const Obse
   std::vector<std::string> oddities = picture.oddities;
   if (picture.window) adviseOnRest(*picture.window, oddities);
   oddities.insert(oddities.end(), panorama.oddities.begin(), panorama.oddities.end());
-  tellOddities(name, oddities, picture.is_layer_guessed, observer);
+  tellOddities(name, oddities, picture.layer_guess, observer);
   tellDoubt(name, panorama.doubt, observer);
 }
 
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
-  tellOddities(loaded.name, loaded.oddities, loaded.is_layer_guessed, observer);
+  tellOddities(loaded.name, loaded.oddities, loaded.layer_guess, observer);
   tellDoubt(loaded.name, loaded.doubt, observer);
   if (loaded.lacks_gain_map)
     observer.tell(RemarkKind::gain_map_lost,

@@ -49,7 +49,7 @@ struct LoadedEnvironment {
   bool is_levelled = false;                     ///< a panorama taken with the camera tilted: its up is ours now
   std::vector<PictureLayer> layers = {};        ///< DecodedImage's, and the two that follow
   std::string layer = {};
-  bool is_layer_guessed = false;
+  std::string layer_guess = {};
   std::vector<std::string> oddities = {};  ///< DecodedImage::oddities
   int levels = 1;                          ///< mip levels that its file holds, the map itself included
 

@@ -10,6 +10,7 @@
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/render/settings/frame_checks.h"
+#include "mirrorball/render/stage/device_state.h"
 #include "mirrorball/render/surface/surface_shaders.h"
 
 namespace mirrorball::testing {
@@ -54,6 +55,7 @@ std::span<const ProgramFrame> programFrames() {
       {.name = "brushed metal", .model = "sphere", .material = "brushed-metal"},
       {.name = "clear coat", .model = "sphere", .material = "car-paint"},
       {.name = "self-reflection", .model = "teapot", .material = "mirror"},
+      {.name = "probes", .model = "sphere", .material = "glass", .options = {{"probes", "1"}}},
       {.name = "normal map", .model = "sphere", .material = "plastic", .set = {"normal_map=stripes"}},
   };
   return frames;
@@ -73,6 +75,10 @@ Result<std::vector<SurfaceProgram>> findPrograms(const ProgramFrame& frame) {
     const std::string& name = nameMaterial(renderer.scene(), instance);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
+  // Faces of probes are drawn when a frame begins. Its mirror image in the ground has no further programs
+  // (GroundMirrorTest).
+  for (const auto& [variant, program] : renderer.stage().device().state().surfaces().programs())
+    if (std::vector<std::string>& names = materials[variant]; names.empty()) names.push_back("faces of probes");
   std::vector<SurfaceProgram> programs;
   for (const auto& [variant, names] : materials) {
     MIRRORBALL_TRY(shaders, surfaceShaders(gl::Api::desktop43, variant));

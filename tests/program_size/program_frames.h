@@ -19,17 +19,18 @@ struct ProgramFrame {
   std::vector<std::pair<std::string_view, std::string_view>> options = {};  ///< "refraction", "traced"
 };
 
-/// The showcase; a sphere of rough metal, of traced glass, of brushed metal, with a clear coat and with a normal map; a
-/// mirror that reflects itself.
+/// The showcase; a sphere of rough metal, of traced glass, of brushed metal, with a clear coat, with a normal map and
+/// with a probe; a mirror that reflects itself.
 std::span<const ProgramFrame> programFrames();
 
 /// The shader that draws a surface.
 struct SurfaceProgram {
-  std::string name;      ///< the frame's, and those of its materials where the frame has several programs
+  std::string name;      ///< the frame's, and where it has several programs, those of its materials
   std::string fragment;  ///< its text for desktop OpenGL
 };
 
-/// The programs of a frame's surfaces, none twice. No driver compiles them.
+/// The programs of a frame's surfaces and of the faces of its probes, none twice. No driver compiles them but the
+/// latter.
 ///
 /// errors   no_gl; as loadRenderInputs' and those of views
 Result<std::vector<SurfaceProgram>> findPrograms(const ProgramFrame& frame);

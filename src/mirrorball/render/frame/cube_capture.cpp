@@ -27,7 +27,9 @@ Result<EnvironmentMap> captureCube(Renderer& renderer, const CaptureSettings& se
   FrameSettings frame = settings.frame;
   frame.size = glm::ivec2(side);
   frame.resolve = Resolve::radiance;
-  if (frame.behind == BehindKind::screen) frame.behind = BehindKind::probes;  // a face does not show what is beside it
+  // A face does not show what is beside it. No frame is drawn whose programs could draw the faces, too, as they do those
+  // of probes (SampleUniforms::has_empty_screen); those without a screen are smaller.
+  if (frame.behind == BehindKind::screen) frame.behind = BehindKind::probes;
   const auto samples = static_cast<std::size_t>(frame.samples);
   for (int face = 0; face < faces.faces(); ++face) {
     MIRRORBALL_TRY_VOID(renderer.draw(cubeFaceCamera(face, settings.position, depths), frame,

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -122,6 +125,50 @@ TEST_F(GroundMirrorTest, TheImageIsDrawnByTheProgramsOfTheFrame) {
   testing::set(settings, "behind", "screen");
   EXPECT_GT(testing::drawn(renderer, settings).texel(40, 70)[0], 0.0f);
   EXPECT_EQ(renderer.stage().device().state().surfaces().programs().size(), 1);
+}
+
+/// A mirror, glass and a matt ball beside each other.
+Scene differentBalls() {
+  Material mirror, glass;
+  mirror.metallic = 1.0f;
+  mirror.perceptual_roughness = 0.0f;
+  glass.transmission = 1.0f;
+  Scene scene;
+  testing::addBall(scene, {-1.2f, 0.0f, 0.0f}, 0.5f, mirror, 24);
+  testing::addBall(scene, {0.0f, 0.0f, 0.0f}, 0.5f, glass, 24);
+  testing::addBall(scene, {1.2f, 0.0f, 0.0f}, 0.5f, {}, 24);
+  return scene;
+}
+
+/// How many programs the surfaces of a frame have, and how many its mirror image and its probes have beside those.
+struct ProgramCounts {
+  std::size_t of_frame;
+  std::size_t others;
+};
+ProgramCounts countPrograms(const FrameSettings& settings) {
+  Renderer renderer = testing::rendererFor(differentBalls(), testing::coarseBuiltin("studio"));
+  EXPECT_TRUE(renderer.begin(settings));
+  const std::vector<SurfaceVariant> variants = *renderer.surfaceVariants();
+  const std::set<SurfaceVariant> of_frame(variants.begin(), variants.end());
+  testing::drawn(renderer, settings);
+  return {of_frame.size(), renderer.stage().device().state().surfaces().programs().size() - of_frame.size()};
+}
+
+// In a probe's first faces surfaces read the environment's light, since there is none of probes yet, by programs of
+// their own; later faces are drawn by the frame's, and so is the mirror image.
+TEST_F(GroundMirrorTest, TheImageAddsNoProgramAndProbesOneForEachOfTheFrame) {
+  FrameSettings settings = onGround("0");
+  testing::set(settings, "behind", "screen");
+  const ProgramCounts mirrored = countPrograms(settings);
+  EXPECT_EQ(mirrored.of_frame, 3u);
+  EXPECT_EQ(mirrored.others, 0u);
+  for (const char* bounces : {"1", "2"}) {
+    testing::set(settings, "probes", "2");
+    testing::set(settings, "probe-bounces", bounces);
+    const ProgramCounts with_probes = countPrograms(settings);
+    EXPECT_EQ(with_probes.of_frame, 3u) << bounces;
+    EXPECT_EQ(with_probes.others, 3u) << bounces;
+  }
 }
 
 // With a mask for samples, the image tests a stencil of its own, whose pixels are all drawn.

@@ -205,6 +205,43 @@ TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
   }
 }
 
+/// What the probes of two mirror balls see with a ball of glass between them, face by face.
+std::vector<Image> facesAroundGlass(const std::string& behind, const std::string& refraction) {
+  const Environment light(testing::smoothRadiance, 64);
+  Begun begun;
+  EXPECT_TRUE(begun.stage.setEnvironment(light, *testing::prepareOnce(light)));
+  Scene scene = sceneOfBalls({{{-1.6f, 0.0f, 0.0f}, 0.7f, {1.0f, 0.75f, 0.35f}}, {{1.6f, 0.0f, 0.3f}, 0.7f, {}}});
+  Material glass;
+  glass.base_color = glm::vec3(1.0f);
+  glass.transmission = 1.0f;
+  glass.perceptual_roughness = 0.0f;
+  addBall(scene, {{0.0f, 0.0f, 0.1f}, 0.7f, {}}, glass);
+  EXPECT_TRUE(begun.stage.setScene(std::move(scene)));
+  FrameSettings settings;
+  testing::set(settings, "probes", "2");
+  testing::set(settings, "probe-size", "32");
+  testing::set(settings, "proxy", kProbeRoom);
+  testing::set(settings, "behind", behind);
+  testing::set(settings, "refraction", refraction);
+  begun.begin(settings);
+  std::vector<Image> faces;
+  for (const SurfaceLight& probe : begun.frame.probes->lights)
+    for (int face = 0; face < 6; ++face) faces.push_back(probe.environment->read(0, face));
+  return faces;
+}
+
+// A face does not show what is beside it. So through glass it shows probes, also where the frame shows the screen.
+TEST_P(ProbesTest, AProbeSeesNoScreenThroughGlass) {
+  for (const char* refraction : {"image-space", "traced"}) {
+    const std::vector<Image> with_screen = facesAroundGlass("screen", refraction);
+    const std::vector<Image> with_probes = facesAroundGlass("probes", refraction);
+    ASSERT_EQ(with_screen.size(), with_probes.size());
+    for (std::size_t face = 0; face < with_probes.size(); ++face)
+      EXPECT_LT(testing::greatestDifference(with_screen[face], with_probes[face]), 2e-3)
+          << refraction << ", face " << face << ": half floats differ by as much";
+  }
+}
+
 TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
   Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
   FrameSettings settings = frontOf(renderer, 16);

@@ -23,8 +23,9 @@
 
 namespace mirrorball {
 
-/// Sets the state that surfaces of a drawing are drawn with, for each of which drivers compile a program anew: the tests
-/// of depths and of the stencil, and whether they are laid over each other or hide each other. Until endSurfaceState().
+/// Sets the state that surfaces of a drawing are drawn with, for each of which drivers compile a program anew: the
+/// tests of depths and of the stencil, and whether they are laid over each other or hide each other. Until
+/// endSurfaceState().
 void beginSurfaceState(const SampleUniforms& sample, bool is_blended);
 void endSurfaceState();
 

@@ -27,8 +27,8 @@ Result<EnvironmentMap> captureCube(Renderer& renderer, const CaptureSettings& se
   FrameSettings frame = settings.frame;
   frame.size = glm::ivec2(side);
   frame.resolve = Resolve::radiance;
-  // A face does not show what is beside it. No frame is drawn whose programs could draw the faces, too, as they do those
-  // of probes (SampleUniforms::has_empty_screen); those without a screen are smaller.
+  // A face does not show what is beside it. No frame is drawn whose programs could draw the faces, too, as they do
+  // those of probes (SampleUniforms::has_empty_screen); programs without a screen are smaller.
   if (frame.behind == BehindKind::screen) frame.behind = BehindKind::probes;
   const auto samples = static_cast<std::size_t>(frame.samples);
   for (int face = 0; face < faces.faces(); ++face) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/hdr/hdr_lines.h"
 #include "mirrorball/codec/metadata.h"
 
@@ -86,6 +89,17 @@ Bytes encodeLine(const Image& image, int y) {
   return out;
 }
 
+/// Numbers are the file's, whatever it says that light was multiplied by.
+void leaveExposureOut(HdrHeader& header) {
+  const glm::vec3 exposure = std::exchange(header.exposure, glm::vec3(1.0f));
+  if (exposure == glm::vec3(1.0f)) return;
+  std::string factors = formatNumber(double(exposure.r));
+  if (exposure != glm::vec3(exposure.r))
+    factors += ", " + formatNumber(double(exposure.g)) + ", " + formatNumber(double(exposure.b));
+  header.oddities.push_back("states an exposure (" + factors +
+                            "), which is not divided out of numbers: they are read as they are stored");
+}
+
 }  // namespace
 
 bool isHdr(std::span<const std::uint8_t> bytes) { return beginsWithHdrHeader(bytes); }
@@ -97,14 +111,17 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const ImageR
   MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0));
   MIRRORBALL_TRY(remark, missingLinesRemark(header, index.starts.size(), index.new_rle_count, bytes.size()));
   if (!remark.empty()) header.oddities.push_back(std::move(remark));
+  const bool is_light = options.as == ReadAs::light;
+  if (!is_light) leaveExposureOut(header);
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
-  const bool is_converted = options.as == ReadAs::light && convertToRec709(image, header);
-  if (options.as == ReadAs::numbers) tellUnapplied(spaceStatedBy(header), header.oddities);
+  bool is_converted = is_light && header.exposure != glm::vec3(1.0f);
+  if (is_light) is_converted |= convertToRec709(image, header);
+  if (!is_light) tellUnapplied(spaceStatedBy(header), header.oddities);
   return DecodedImage{.image = std::move(image),
                       .metadata = std::move(header.metadata),
                       .format = describe(header, index.form),
-                      .color = options.as == ReadAs::light ? describeColor(header) : std::string(kAsStored),
+                      .color = is_light ? describeColor(header) : std::string(kAsStored),
                       .oddities = std::move(header.oddities),
                       .is_converted = is_converted};
 }

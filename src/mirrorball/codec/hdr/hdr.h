@@ -13,7 +13,7 @@ namespace mirrorball {
 bool isHdr(std::span<const std::uint8_t> bytes);
 
 /// Decodes a Radiance picture: RGBE or XYZE; new RLE, old RLE or flat; any orientation. EXPOSURE
-/// and COLORCORR are divided out, PRIMARIES converted to Rec.709.
+/// and COLORCORR are divided out, PRIMARIES converted to Rec.709; not of numbers (ReadAs).
 ///
 /// A component is mantissa · 2^(exponent − 136). Radiance's own reader adds ½ to the mantissa, for
 /// its writer truncates; stb, OpenCV, OpenImageIO and ffmpeg do not, and neither do we, whose

@@ -183,6 +183,26 @@ TEST(Hdr, ExposureIsDividedOut) {
   EXPECT_EQ(rgbAt(image, 0, 0), glm::vec3(8, 16, 4));
 }
 
+// Textures of normals and roughness come out of programs that state the exposure of a picture.
+TEST(Hdr, ExposureIsNotDividedOutOfNumbers) {
+  const std::string format = "FORMAT=32-bit_rle_rgbe\n";
+  const Bytes one = file(format + "EXPOSURE=2\nEXPOSURE=4\n", "-Y 1 +X 1", {64, 128, 32, 128});
+  const auto numbers = decodeHdr(one, {.as = ReadAs::numbers});
+  ASSERT_TRUE(numbers) << numbers.error().message;
+  EXPECT_EQ(rgbAt(numbers->image, 0, 0), glm::vec3(0.25f, 0.5f, 0.125f));
+  EXPECT_THAT(numbers->oddities, ElementsAre("states an exposure (8), which is not divided out of numbers: they are "
+                                             "read as they are stored"));
+  EXPECT_FALSE(numbers->is_converted);
+  EXPECT_TRUE(decodeHdr(one)->is_converted) << "a material that reads numbers in the same picture decodes it anew";
+  const auto three =
+      decodeHdr(file(format + "COLORCORR=1 0.5 2\n", "-Y 1 +X 1", {64, 128, 32, 128}), {.as = ReadAs::numbers});
+  EXPECT_EQ(rgbAt(three->image, 0, 0), glm::vec3(0.25f, 0.5f, 0.125f));
+  EXPECT_THAT(three->oddities, ElementsAre(HasSubstr("states an exposure (1, 0.5, 2)")));
+  const Bytes plain = file(format + "EXPOSURE=1\n", "-Y 1 +X 1", {64, 128, 32, 128});
+  EXPECT_THAT(decodeHdr(plain, {.as = ReadAs::numbers})->oddities, ::testing::IsEmpty());
+  EXPECT_FALSE(decodeHdr(plain)->is_converted);
+}
+
 TEST(Hdr, SeveralCorrectionsMultiply) {
   const Image image =
       decoded(file("COLORCORR=2 1 0.5\nEXPOSURE=0.5\nCOLORCORR= 2 4  1\n", "-Y 1 +X 1", {64, 64, 64, 136}));

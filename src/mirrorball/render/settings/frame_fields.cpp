@@ -10,6 +10,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/hex_color.h"
 #include "mirrorball/scene/place_text.h"
@@ -23,7 +24,7 @@ constexpr int kLongestSide = 16384;
 }  // namespace
 
 constinit const Field kSize{
-    [](const FrameSettings& s) { return std::to_string(s.size.x) + "x" + std::to_string(s.size.y); },
+    [](const FrameSettings& s) { return sizeText(s.size); },
     [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
       const auto sides = split(std::string(written), written.find('X') == std::string_view::npos ? 'x' : 'X');
       glm::ivec2 size(0);

@@ -7,6 +7,7 @@
 
 #include "formula/color.h"
 #include "formula/projection.h"
+#include "mirrorball/base/size_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/cube/cube_layout.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
@@ -33,8 +34,7 @@ std::string numberText(float number) { return numbersText("%.5g", {number}); }
 std::string placeText(glm::vec2 place) { return numbersText("%.4f", {place.x, place.y}); }
 
 std::string texelText(glm::ivec2 texel, glm::ivec2 size) {
-  return std::to_string(texel.x) + ", " + std::to_string(texel.y) + " of " + std::to_string(size.x) + "x" +
-         std::to_string(size.y);
+  return std::to_string(texel.x) + ", " + std::to_string(texel.y) + " of " + sizeText(size);
 }
 
 glm::ivec2 texelAt(glm::vec2 uv, glm::ivec2 size) { return glm::min(glm::ivec2(uv * glm::vec2(size)), size - 1); }
@@ -138,8 +138,7 @@ std::vector<MapFact> mapFacts(const PreparedMap& map, const MapViewSettings& set
   std::vector<MapFact> facts;
   if (const EnvironmentMap* images = map.given->map()) {
     const glm::ivec2 size = images->extent();
-    facts.push_back(
-        {"map", textOf(images->projection()) + ", " + std::to_string(size.x) + "x" + std::to_string(size.y)});
+    facts.push_back({"map", textOf(images->projection()) + ", " + sizeText(size)});
   } else {
     facts.push_back({"map", "a function of the direction"});
   }

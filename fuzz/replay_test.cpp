@@ -2,6 +2,7 @@
 // itself; the last name printed is that of the file.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -102,6 +103,19 @@ INSTANTIATE_TEST_SUITE_P(Of, MutatedModels, ::testing::ValuesIn(harnessesOfPictu
 TEST(Corpora, AllHaveAHarness) {
   for (const fs::directory_entry& folder : fs::directory_iterator(corpora()))
     EXPECT_THAT(decoders(), ::testing::Contains(folder.path().filename().string()));
+}
+
+// As fuzz/README.md says: they travel with every clone.
+TEST(Corpora, StaySmall) {
+  constexpr std::uintmax_t kMostBytes = 256'000, kMostBytesOfFile = 4096;
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(corpora())) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_LE(entry.file_size(), kMostBytesOfFile) << entry.path();
+    bytes += entry.file_size();
+  }
+  EXPECT_GT(bytes, 0u);
+  EXPECT_LE(bytes, kMostBytes);
 }
 
 }  // namespace

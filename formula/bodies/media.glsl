@@ -90,5 +90,5 @@ FN bool hasSurface(Media media, int body, int priority, bool is_entering) {
   uint filling = fillingWord(media);
   if (filling == 0u) return true;
   if (is_entering) return heldPriority(priority) >= filling >> kPriorityShift;
-  return times == 0 || int(filling & kBodyBits) - 1 == body;
+  return times == 0 || (filling & kBodyBits) == uint(body + 1);
 }

@@ -12,7 +12,7 @@
 #include "triangle_tree.glsl"
 
 uniform usampler2D bodies;
-uniform uvec4 eye_media[2];  // of the bodies that the eye is inside of: the words of a Media
+uniform Media eye_media;  // the bodies that the eye is inside of
 
 // A ray in a body, or between bodies.
 struct InnerRay {
@@ -176,7 +176,7 @@ InnerRay rayOfEye(SurfacePoint point) {
   float angle = sqrt(sampleFootprint(dFdx(point.ray), dFdy(point.ray), samples_per_pixel));
   ray.beam = Beam(vec3(0.0), vec2(angle, 0.0));
   ray.leaves = -1;
-  ray.media = Media(eye_media[0], eye_media[1]);
+  ray.media = eye_media;
   return ray;
 }
 
@@ -198,7 +198,7 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
   bool disperses = fetchWords(bodies, 0).w != 0u;
-  bool is_eye_inside = eye_media[0].x != 0u;
+  bool is_eye_inside = isWithinBody(eye_media);
   vec3 light = vec3(0.0);
   for (int kind = 0; kind < lightKinds(disperses); ++kind) {
     InnerRay ray;

@@ -1,7 +1,6 @@
 #include "mirrorball/render/surface/surface_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <chrono>
 #include <map>
@@ -86,7 +85,7 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const SunUniforms& suns = frame.light.suns;
   const std::vector<glm::vec4> sun_rows = suns.rows();
-  const std::array<glm::uvec4, 2> eye_media{frame.scene.eye_media.latest, frame.scene.eye_media.earliest};
+  const formula::Media& eye_media = frame.scene.eye_media;
   for (auto& [variant, entry] : programs) {
     if (!entry.made) continue;
     gl::Program& program = entry.made->program;
@@ -96,8 +95,10 @@ void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const 
       program.set("sun_rows", std::span<const glm::vec4>(sun_rows));
       if (variant.has(Part::suns, SunsPart::shadowed)) program.set("sun_shadow_rows", suns.shadow_rows);
     }
-    if (variant.has(Part::transmission, TransmissionPart::traced))
-      program.set("eye_media", std::span<const glm::uvec4>(eye_media));
+    if (variant.has(Part::transmission, TransmissionPart::traced)) {
+      program.set("eye_media.latest", std::span(&eye_media.latest, 1));
+      program.set("eye_media.earliest", std::span(&eye_media.earliest, 1));
+    }
   }
 }
 

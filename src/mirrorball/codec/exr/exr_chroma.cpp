@@ -110,9 +110,8 @@ void readFiltered(Imf::RgbaInputFile& file, const ExrPart& part, Image& image) {
     }
     // The frame's base is where texel (0, 0) would be; this slice's arithmetic avoids a pointer
     // outside the row.
-    const Imf::Slice slice =
-        Imf::Slice::Make(Imf::HALF, row.data(), Imath::Box2i({data.min.x, line}, {data.max.x, line}), sizeof(Imf::Rgba),
-                         sizeof(Imf::Rgba) * row.size());
+    const Imf::Slice slice = Imf::Slice::Make(Imf::HALF, row.data(),
+                                              Imath::Box2i({data.min.x, line}, {data.max.x, line}), sizeof(Imf::Rgba));
     file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(slice.base), 1, row.size());
     file.readPixels(line);
     for (int x = left; x <= right; ++x) {

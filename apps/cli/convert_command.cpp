@@ -54,11 +54,12 @@ std::span<const std::string_view> extensionNames() {
 
 const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {{.name = "to", .value = "PROJECTION", .help = kToHelp, .names = projectionNames}, &ConvertOptions::to},
-    {formText("form of the input, if it is not recognised: a projection or a cube layout, and after a colon how the "
-              "file arranges it, as in cube:for=unity, hcross:as-seen or equirect:for=blender, or which part of a "
-              "panorama it shows, as in equirect:fov=360x90; dual-fisheye stitches the two circles of a 360-degree "
-              "camera; layer=NAME, alone or with them, is the layer of an OpenEXR "
-              "file that is read, and layer=\"NAME\" one whose name has commas"),
+    {formText(
+         "form of the input, if it is not recognised: a projection or a cube layout, and after a colon how the "
+         "file arranges it, as in cube:for=unity, hcross:as-seen or equirect:for=blender, or which part of a "
+         "panorama it shows, as in equirect:fov=360x90; dual-fisheye stitches the two circles of a 360-degree "
+         "camera; layer=NAME, alone or with them, is the layer of an OpenEXR "
+         "file that is read, and layer=\"NAME\" one whose name has commas; swap=rb, likewise, exchanges red and blue"),
      &ConvertOptions::from},
     {{.name = "size",
       .value = "N",

@@ -31,6 +31,7 @@ struct DdsHeader {
   std::size_t row_alignment = 1;    ///< bytes: rows of texels are multiples of them
   std::uint32_t stored_levels = 1;  ///< of each image, of which `shape` may have fewer, the largest
   std::vector<std::string> oddities = {};
+  std::string channel_guess = {};  ///< DecodedImageSet's
 
   std::uint64_t texelBytes() const { return chainSize(shape, format, row_alignment) * shape.imagesPerLevel(); }
 };
@@ -116,8 +117,8 @@ std::optional<StoredFormat> formatOfMasks(std::uint32_t bits, std::array<std::ui
 
 /// The format from the 32 bytes of DDS_PIXELFORMAT, for files without the DX10 header.
 ///
-/// oddities   receives the remark on masks that are exchanged
-Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::vector<std::string>& oddities) {
+/// channel_guess   receives the remark on masks that are exchanged
+Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::string& channel_guess) {
   const std::uint32_t flags = littleU32(pixel_format + 4);
   const std::uint32_t code = littleU32(pixel_format + 8);
   if (flags & kPixelFourLetters) {
@@ -144,9 +145,9 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, std::vec
     // D3DX, of every version, and texconv before DirectXTex exchange the two when they write and when they read
     // (C. Walbourn, "DDS Update and 10:10:10:2 Problems"); DirectXTex reads all such files so.
     std::swap(format->masks[0], format->masks[2]);
-    oddities.emplace_back(
+    channel_guess =
         "has 10 bits a colour under masks from before DX10, where D3DX exchanged red and blue: read "
-        "so; if its colours are exchanged now, save it with a DX10 header, which leaves no doubt");
+        "so; if its colours are exchanged now, save it with a DX10 header, which leaves no doubt";
   }
   return *format;
 }
@@ -321,7 +322,7 @@ Result<DdsHeader> readDdsHeader(Span bytes) {
                                            std::to_string(header.size) + "; the file is truncated");
     MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kDdsHeaderSize, header));
   } else {
-    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76, header.oddities));
+    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76, header.channel_guess));
     header.format = format;
     header.encoding_assumed = hasSrgbCurve(format);
   }
@@ -376,6 +377,7 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   const StoredFormat format = as == ReadAs::light ? header.format : withoutCurve(header.format);
   MIRRORBALL_TRY(images, readImages(bytes.subspan(header.size), header, format));
+  if (!header.channel_guess.empty()) header.oddities.push_back(header.channel_guess);
   if (format != header.format && !header.encoding_assumed) tellUnapplied("sRGB", header.oddities);
   const std::string color = describeColor(transferCurve(format), {}, imageChannels(format)) + assumed;
   return DecodedImageSet{.images = std::move(images),
@@ -383,7 +385,8 @@ Result<DecodedImageSet> decodeDds(Span bytes, ReadAs as) {
                          .format = "DDS, " + formatName(header.format) + assumed,
                          .color = as == ReadAs::light ? color : std::string(kAsStored),
                          .oddities = std::move(header.oddities),
-                         .is_converted = hasSrgbCurve(format)};
+                         .is_converted = hasSrgbCurve(format),
+                         .channel_guess = std::move(header.channel_guess)};
 }
 
 }  // namespace mirrorball

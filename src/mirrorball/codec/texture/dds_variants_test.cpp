@@ -184,6 +184,7 @@ TEST(DdsVariants, TenBitsBeforeDx10HaveExchangedMasks) {
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(rgbaAt(read->images.at(0, 0), 0, 0), is_red_high ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 0, 1, 1));
     EXPECT_THAT(read->oddities, ElementsAre(HasSubstr("where D3DX exchanged red and blue: read so")));
+    EXPECT_EQ(read->oddities.front(), read->channel_guess);
   }
 }
 

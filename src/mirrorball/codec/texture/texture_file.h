@@ -73,6 +73,7 @@ struct DecodedImageSet {
   std::string color = {};                  ///< as DecodedImage's
   std::vector<std::string> oddities = {};  ///< likewise
   bool is_converted = false;               ///< likewise
+  std::string channel_guess = {};  ///< the one of `oddities` that says that red and blue may be exchanged; empty: none
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in

@@ -14,6 +14,7 @@
 #include "mirrorball/environment/cube/face_reading.h"
 #include "mirrorball/environment/file/cube_images.h"
 #include "mirrorball/environment/file/header_size.h"
+#include "mirrorball/image/channel_order.h"
 #include "mirrorball/image/resize.h"
 
 namespace mirrorball {
@@ -118,6 +119,7 @@ Result<Image> squareFromUpperHalf(const Image& half) {
 /// errors   non_finite; bad_shape; too_large
 Result<void> takeFace(DecodedImage decoded, const FaceFile& file, const CubeArrangement& arrangement,
                       const EnvironmentLoadOptions& options, FaceImages& faces) {
+  if (options.from.swaps_red_and_blue) swapRedAndBlue(decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(decoded.image, options));
   add(bad, faces.bad);
   if (file.may_be_half && isUpperHalf(decoded.image, arrangement.slots[file.slot])) {

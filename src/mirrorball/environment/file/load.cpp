@@ -22,6 +22,7 @@
 #include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/picture_content.h"
 #include "mirrorball/environment/file/picture_meaning.h"
+#include "mirrorball/image/channel_order.h"
 #include "mirrorball/image/resize.h"
 
 namespace mirrorball {
@@ -228,15 +229,28 @@ Result<std::optional<LoadedEnvironment>> loadCubeInLayers(const DecodedImageSet&
   return loaded;
 }
 
+/// Exchanges red and blue where the caller says so; else names how, where the file leaves it open.
+void settleRedAndBlue(const FormHint& from, DecodedImageSet& texture) {
+  if (from.swaps_red_and_blue) forEachImage(texture.images, swapRedAndBlue);
+  const auto guess = std::find(texture.oddities.begin(), texture.oddities.end(), texture.channel_guess);
+  if (guess == texture.oddities.end()) return;
+  if (from.swaps_red_and_blue)
+    texture.oddities.erase(guess);
+  else
+    *guess += "; {option:from} swap=rb exchanges them back";
+}
+
 Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes, const EnvironmentLoadOptions& options,
                                             const ProgressFunction& progress) {
   if (!isImageSet(bytes)) {
     MIRRORBALL_TRY(decoded, decodeImage(bytes, {.layer = options.from.layer, .progress = progress}));
+    if (options.from.swaps_red_and_blue) swapRedAndBlue(decoded.image);
     return loadPicture(std::move(decoded), photoSphereIn(bytes), options);
   }
   if (!options.from.layer.empty())
     return fail(ErrorCode::not_found, "is a texture, and has no layer '" + excerpt(options.from.layer) + "'");
   MIRRORBALL_TRY(texture, decodeImageSet(bytes));
+  settleRedAndBlue(options.from, texture);
   FormDoubt doubt;
   if (mayBeCubeInLayers(texture, options.from)) {
     doubt = {"is an array of six pictures, whose edges do not show that they are a cube: the first is read", {"cube"}};
@@ -330,6 +344,7 @@ Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, cons
   if (loaded.levels == 1) return std::nullopt;
   const MapForm& own = loaded.recognition->form;
   MIRRORBALL_TRY(texture, readImageSet(loaded.name));
+  settleRedAndBlue(options.from, texture);
   const int faces = texture.images.faces();
   if (faces != faceCount(own.projection) || hasDisc(own.projection) || own.has_texels_on_edges) return std::nullopt;
   const Image& largest = texture.images.at(0, 0);
@@ -351,8 +366,8 @@ Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, cons
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options) {
   std::error_code status;
-  if (options.repair || !options.light.areNone() || !fs::is_regular_file(name_or_path, status) ||
-      cubeFilesOf(name_or_path, options.from))
+  if (options.repair || options.from.swaps_red_and_blue || !options.light.areNone() ||
+      !fs::is_regular_file(name_or_path, status) || cubeFilesOf(name_or_path, options.from))
     return std::nullopt;
   MIRRORBALL_TRY(rows, openRows(name_or_path, {.layer = options.from.layer}));
   if (!rows) return std::nullopt;

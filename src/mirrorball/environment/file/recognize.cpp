@@ -277,6 +277,7 @@ Result<FormHint> formHintNamed(std::string_view name) {
   FormHint hint;
   MIRRORBALL_TRY(layer, takeLayer(words));
   hint.layer = std::move(layer);
+  hint.swaps_red_and_blue = std::erase(words, "swap=rb") > 0;
   const auto projection = projectionNamed(base);
   if (projection && *projection == Projection::ball) {
     MIRRORBALL_TRY(ball,

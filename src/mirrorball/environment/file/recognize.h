@@ -28,7 +28,8 @@ struct FormHint {
   CubeArrangement arrangement = {};  ///< the rest as in MapForm
   SignedAxis centre = SignedAxis::plus_z;
   bool has_texels_on_edges = false;
-  std::string layer = {};  ///< of a file of several pictures, the one that holds the map
+  std::string layer = {};           ///< of a file of several pictures, the one that holds the map
+  bool swaps_red_and_blue = false;  ///< the file's red is blue, and its blue red
   // Of a panorama, the rest too.
   std::optional<PanoramaPart> part = {};  ///< that the picture shows; nothing: what its file says
   bool is_whole = false;                  ///< the picture shows all, whatever its file says
@@ -61,6 +62,7 @@ std::span<const std::string_view> readFormNames();
 ///   fov=D, turn=L,R      of "dual-fisheye" (applyDualFisheyeWord)
 ///   layer=NAME           of any form, or without one ("layer=rgba"): which picture of a file of several;
 ///                        layer="NAME" with commas in it
+///   swap=rb              likewise of any form or alone: red and blue are exchanged in the file
 ///
 /// errors   usage: lists the names
 Result<FormHint> formHintNamed(std::string_view name);

@@ -202,6 +202,15 @@ TEST(Recognize, UnknownNamesListAll) {
                         "equal-area, eac, dual-fisheye, faces, hcross"));
 }
 
+TEST(FormHintNamed, ExchangesRedAndBlueWithAnyFormOrWithoutOne) {
+  EXPECT_TRUE(formHintNamed("swap=rb")->swaps_red_and_blue);
+  EXPECT_FALSE(formHintNamed("swap=rb")->namesForm());
+  EXPECT_TRUE(formHintNamed("ball:distance=3,swap=rb")->swaps_red_and_blue);
+  EXPECT_EQ(formHintNamed("hcross:swap=rb,as-seen")->layout, CubeLayout::hcross);
+  EXPECT_FALSE(formHintNamed("equirect")->swaps_red_and_blue);
+  EXPECT_EQ(formHintNamed("equirect:swap=rg").error().code, ErrorCode::usage);
+}
+
 TEST(FormHintNamed, NamesALayerWithAnyFormOrWithoutOne) {
   EXPECT_EQ(formHintNamed("equirect:layer=rgba")->layer, "rgba");
   EXPECT_EQ(formHintNamed("equirect:centre=-z,layer=ViewLayer.Combined")->centre, SignedAxis::minus_z);

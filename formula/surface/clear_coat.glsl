@@ -39,6 +39,6 @@ FN Surface coatOf(Surface s, vec3 ray, vec3 normal, vec3 tangent, vec3 environme
 // Light from below a coat, and the light that the coat itself shows.
 //   share        of the surface that it covers
 FN vec3 underCoat(Surface coat, float share, vec3 light, vec3 of_coat) {
-  vec3 reflected = coat.reflectance.single_scattering + coat.reflectance.multiple_scattering;
+  vec3 reflected = aroundMirror(coat.reflectance) + coat.reflectance.multiple_scattering;
   return light * (vec3(1.0f) - share * reflected) + share * of_coat;
 }

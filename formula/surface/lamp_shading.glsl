@@ -10,10 +10,14 @@ FN vec3 litFrom(Surface s, vec3 v, vec3 l, vec3 facets) {
   float at_facet = clamp(dot(v, normalize(v + l)), 0.0f, 1.0f);
   vec3 fresnel =
       mix(smoothDielectric(s.material, at_facet), metalReflectance(s.material, at_facet), s.material.metallic);
-  vec3 matt = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
+  vec3 several = s.reflectance.multiple_scattering + s.reflectance.forward_scattering;
+  float even = evenFraction(s.material.perceptual_roughness, v.z);
+  vec3 matt = s.diffuse_albedo * (1.0f - s.material.transmission) + even * several;
   // What stays in the grooves of stretched facets leaves along them, too (roughReflectance).
   vec3 leaves = vec3(1.0f) - (1.0f - s.stretched_share) * fresnel;
-  vec3 shown = matt / kPi + fresnel * facets / leaves;
+  // What is not even after several bounces goes about where white facets send light at once, which is this share.
+  float at_once = max((1.0f - s.environment_brdf.x) * s.stretched_share, 1e-3f);
+  vec3 shown = matt / kPi + facets * (fresnel / leaves + (1.0f - even) / at_once * several);
   if (s.sheen_albedo <= 0.0f) return shown;
   return underSheen(s, shown, vec3(evalCharlie(alphaOfSheen(s.material.sheen_roughness), v, l)));
 }

@@ -5,9 +5,13 @@
 // Shares of a white environment's light.
 struct Reflectance {
   vec3 single_scattering;    // of the light around the mirror direction, after one bounce
-  vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
+  vec3 forward_scattering;   // likewise, after several bounces between the facets of a rough surface
+  vec3 multiple_scattering;  // of the light from all sides, after several bounces
   vec3 grazing;              // of single_scattering, what facets do not reflect at normal incidence
 };
+
+// Of the light around the mirror direction, however often it bounces.
+FN vec3 aroundMirror(Reflectance r) { return r.single_scattering + r.forward_scattering; }
 
 struct Surface {
   Material material;      // its numbers here: times what its textures hold
@@ -197,7 +201,9 @@ FN Surface seenAlong(Surface s, vec3 ray) {
   Reflectance kept_out = dielectricOf(s, withGreySpecular(m), facets);
   Reflectance metal = roughReflectance(s, of_metal);
   s.reflectance.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, m.metallic);
-  s.reflectance.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, m.metallic);
+  vec3 several = mix(dielectric.multiple_scattering, metal.multiple_scattering, m.metallic);
+  s.reflectance.multiple_scattering = several * evenFractionBesideRow(m.perceptual_roughness, cosine);
+  s.reflectance.forward_scattering = several - s.reflectance.multiple_scattering;
   vec3 seen = mix(tintedReflectance(m, facets.seen, facets.normal), of_metal.seen, m.metallic);
   vec3 normal = mix(tintedReflectance(m, facets.normal, facets.normal), of_metal.normal, m.metallic);
   s.reflectance.grazing = grazingShare(seen, normal);
@@ -278,7 +284,7 @@ FN vec3 shadedByEnvironment(Surface s, vec3 reflected, vec3 refracted, vec3 irra
   vec3 inner = mix(irradiance * s.occlusion, refracted, s.material.transmission);
   // Occlusion is known for diffuse light only. It takes more of the reflected light the rougher the lobe is.
   float reflected_occlusion = mix(1.0f, s.occlusion, s.material.perceptual_roughness);
-  vec3 specular = reflected * s.reflectance.single_scattering * reflected_occlusion +
+  vec3 specular = reflected * aroundMirror(s.reflectance) * reflected_occlusion +
                   irradiance * s.occlusion * s.reflectance.multiple_scattering;
   vec3 light = specular + inner * s.diffuse_albedo + s.material.emission;
   return underSheen(s, light, on_cloth * (s.occlusion * s.sheen_albedo));
@@ -292,7 +298,7 @@ FN vec3 shadedByEnvironment(Surface s, vec3 reflected, vec3 refracted, vec3 irra
 //   irradiance   of the sky, divided by π
 FN vec3 lightOfRelief(Surface s, float seen, vec3 irradiance) {
   float share = mix(seen, 1.0f, 0.5f);
-  vec3 albedo = s.reflectance.single_scattering + s.reflectance.multiple_scattering +
+  vec3 albedo = aroundMirror(s.reflectance) + s.reflectance.multiple_scattering +
                 s.diffuse_albedo * (1.0f - s.material.transmission);
   return (s.material.emission + albedo * share * irradiance) / max(vec3(1.0f) - albedo * (1.0f - share), vec3(1e-3f));
 }
@@ -307,6 +313,6 @@ FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.material.perceptual_roughness), 0.01f));
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
   vec3 diffuse = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
-  vec3 lobe = s.reflectance.single_scattering * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  vec3 lobe = aroundMirror(s.reflectance) * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
   return color * facing * underSheen(s, diffuse + lobe, vec3(s.sheen_albedo));
 }

@@ -302,6 +302,7 @@ TEST(Sun, AMirrorShowsItsDisc) {
   const float radiance = 1.0f / (kPi * sun.radius * sun.radius);
   for (const float cosine : {1.0f, 0.5f, 0.1f, 0.02f}) {
     Surface s = surfaceOf(0.0f, cosine);
+    s.environment_brdf = vec3(0.0f);  // a mirror has no facets that light could go between
     s.material.metallic = 1.0f;
     s.material.base_color = vec3(1.0f);
     s = seenAlong(s, -towardsAt(std::acos(cosine)));

@@ -150,6 +150,8 @@ const Case kSurfaceCases[] = {
     PARITY(widenedRoughness, unit, kTight, vec4(widenedRoughness(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
+    PARITY(evenFraction, unit, kTight, vec4(evenFraction(p.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(evenFractionBesideRow, unit, kTight, vec4(evenFractionBesideRow(p.x, p.y), 0.0f, 0.0f, 0.0f)),
 
     // occlusion
     PARITY(visibleSlice, unit, kTranscendental,
@@ -377,6 +379,8 @@ const Case kSurfaceCases[] = {
     PARITY(inFrame, direction, kTight, vec4(inFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
     PARITY(eyeInFrame, direction, kTight, vec4(eyeInFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
     PARITY(grazingShare, unit, kTight, vec4(grazingShare(vec3(p), vec3(q)), 0.0f)),
+    PARITY(aroundMirror, direction, kTranscendental,
+           vec4(aroundMirror(seenAlong(testSurface(p, q, r), vec3(p)).reflectance), 0.0f)),
     PARITY(seenAlong, direction, kTranscendental,
            vec4(seenAlong(testSurface(p, q, r), vec3(p)).reflectance.single_scattering.x,
                 seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,

@@ -1,4 +1,4 @@
-// Each quality of `render` beside the path-traced truth, of scenes that are made here. Nothing is stored: all pictures
+// Each quality of `render` beside the path-traced reference, of scenes made here. Nothing is stored: all pictures
 // are made.
 
 #include <filesystem>

@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "formula/constants.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/scene/gltf/gltf_writer.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball::quality {
 namespace {
@@ -73,6 +76,14 @@ Mesh box(glm::vec3 middle, glm::vec3 half) {
   return whole;
 }
 
+Mesh ground(float half, int divisions) { return rectangle({0, 0, 0}, {half, 0, 0}, {0, 0, -half}, divisions); }
+
+Mesh ball(glm::vec3 middle, float radius, int rings) {
+  Mesh mesh = sphereMesh(rings, 2 * rings);
+  for (Vertex& vertex : mesh.vertices) vertex.position = middle + radius * vertex.position;
+  return mesh;
+}
+
 void add(Scene& scene, Mesh mesh, const Material& material) {
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(material);
@@ -84,6 +95,12 @@ Material matt(glm::vec3 base_color, float perceptual_roughness) {
   Material material;
   material.base_color = base_color;
   material.perceptual_roughness = perceptual_roughness;
+  return material;
+}
+
+Material roughMetal(glm::vec3 reflectance, float perceptual_roughness) {
+  Material material = matt(reflectance, perceptual_roughness);
+  material.metallic = 1.0f;
   return material;
 }
 
@@ -113,6 +130,14 @@ Texture leaf() {
       setTexel(leaf, x, y, {is_vein ? 170 : 60, is_vein ? 190 : 130, 50, is_inside ? 255 : 0});
     }
   return leaf;
+}
+
+Result<std::filesystem::path> writeGlb(const Scene& scene, const std::string& name,
+                                       const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / (name + ".glb");
+  MIRRORBALL_TRY(encoded, encodeGlb(scene));
+  MIRRORBALL_TRY_VOID(writeFile(file, encoded.bytes));
+  return file;
 }
 
 }  // namespace mirrorball::quality

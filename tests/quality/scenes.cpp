@@ -7,22 +7,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "mirrorball/base/file.h"
-#include "mirrorball/scene/gltf/gltf_writer.h"
-#include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/revolution.h"
 #include "quality/scene_parts.h"
 
 namespace mirrorball::quality {
 namespace {
-
-Mesh ground(float half) { return rectangle({0, 0, 0}, {half, 0, 0}, {0, 0, -half}); }
-
-Mesh ball(glm::vec3 middle, float radius) {
-  Mesh mesh = sphereMesh(24, 48);
-  for (Vertex& vertex : mesh.vertices) vertex.position = middle + radius * vertex.position;
-  return mesh;
-}
 
 /// A curtain in deep folds, that hangs to the ground.
 Scene cloth() {
@@ -43,13 +32,16 @@ Scene cloth() {
 
 /// The outside of a bottle, or its inside when it is narrower.
 std::vector<ProfilePoint> bottleProfile(double narrower) {
-  constexpr glm::dvec2 kUp(0, 1), kOut(1, 0), kDown(0, -1);
   const double body = 0.55 - narrower;
   const double neck = 0.2 - narrower;
-  std::vector<ProfilePoint> profile{
-      {{0.0, 2.2 - narrower}, kUp}, {{neck, 2.2 - narrower}, kUp}, {{neck, 2.2 - narrower}, kOut}, {{neck, 1.7}, kOut}};
+  std::vector<ProfilePoint> profile{{{0.0, 2.2 - narrower}, profile::kUp},
+                                    {{neck, 2.2 - narrower}, profile::kUp},
+                                    {{neck, 2.2 - narrower}, profile::kOut},
+                                    {{neck, 1.7}, profile::kOut}};
   addArc(profile, {body - 0.25, 1.15}, 0.25, 60.0, 0.0, 6);
-  profile.insert(profile.end(), {{{body, narrower}, kOut}, {{body, narrower}, kDown}, {{0.0, narrower}, kDown}});
+  profile.insert(
+      profile.end(),
+      {{{body, narrower}, profile::kOut}, {{body, narrower}, profile::kDown}, {{0.0, narrower}, profile::kDown}});
   return profile;
 }
 
@@ -226,10 +218,7 @@ constexpr auto kScenes = std::to_array<SampleScene>({
 std::span<const SampleScene> sampleScenes() { return kScenes; }
 
 Result<std::filesystem::path> writeScene(const SampleScene& scene, const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / (std::string(scene.name) + ".glb");
-  MIRRORBALL_TRY(encoded, encodeGlb(scene.make()));
-  MIRRORBALL_TRY_VOID(writeFile(file, encoded.bytes));
-  return file;
+  return writeGlb(scene.make(), scene.name, folder);
 }
 
 }  // namespace mirrorball::quality

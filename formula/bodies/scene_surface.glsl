@@ -1,7 +1,7 @@
 // What reflections show of a scene where a ray meets it: in a tree of its triangles (scene/bodies/body_tree.cpp) that
 // has two more parts, which the last words of its texels 1 and 2 give the first texels of:
 //   of a triangle  one texel: the numbers of its corners, the first with its highest bit set where what their backs
-//                  know follows each of them; the texel of its holes, or 0
+//                  know follows each of them, the second where it has only a front; the texel of its holes, or 0
 //   of a vertex    three texels of half floats: occluded, open, interreflected, metallic; base colour, roughness,
 //                  emission, 0; lit_from, 0, emitted, 0
 // and further on, for some triangles, their holes: a texel with the number of rows of their cells, and then a bit for
@@ -33,9 +33,19 @@ FN int cellOfTriangle(vec2 barycentric, int rows) {
   return row * (2 * rows - row) + 2 * column + (is_second ? 1 : 0);
 }
 
-// Whether a triangle is cut away where a ray meets it.
-FN bool isHole(WORD_SAMPLER tree, TriangleHit hit) {
-  int texel = int(fetchWords(tree, int(fetchWords(tree, 1).w) + hit.triangle).w);
+// Whether a ray meets a triangle from its clockwise side.
+FN bool isMetFromBehind(WORD_SAMPLER tree, TriangleHit hit, vec3 direction) {
+  int texel = int(fetchWords(tree, 0).y) + hit.triangle * kTexelsOfTriangle;
+  vec3 corner = floatsOf(fetchWords(tree, texel));
+  return dot(direction, cross(normalize(floatsOf(fetchWords(tree, texel + 1)) - corner),
+                              normalize(floatsOf(fetchWords(tree, texel + 2)) - corner))) > 0.0f;
+}
+
+// Whether a ray goes on where it meets a triangle: that is cut away there, or has only a front and is met from behind.
+FN bool passesTriangle(WORD_SAMPLER tree, TriangleHit hit, vec3 direction) {
+  uvec4 corners = fetchWords(tree, int(fetchWords(tree, 1).w) + hit.triangle);
+  if (corners.y >> 31 != 0u && isMetFromBehind(tree, hit, direction)) return true;
+  int texel = int(corners.w);
   if (texel == 0) return false;
   int cell = cellOfTriangle(hit.barycentric, int(fetchWords(tree, texel).x));
   uvec4 holes = fetchWords(tree, texel + 1 + cell / 128);
@@ -61,7 +71,7 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 directio
   uvec4 corners = fetchWords(tree, int(fetchWords(tree, 1).w) + hit.triangle);
   bool is_back = dot(direction, surface.geometric_normal) > 0.0f;
   bool knows_backs = corners.x >> 31 != 0u;
-  corners.x &= 0x7FFFFFFFu;
+  corners &= uvec4(0x7FFFFFFFu);
   int side = is_back && knows_backs ? 1 : 0;
   int first = int(fetchWords(tree, 2).w);
   vec4 occluded = vec4(0.0f);

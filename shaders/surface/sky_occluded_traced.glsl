@@ -49,8 +49,8 @@ vec3 sampledReflection(Surface s, SurfacePoint point) {
   return reflect(point.ray, facet.x * s.tangent + facet.y * cross(s.normal, s.tangent) + facet.z * s.normal);
 }
 
-// Past this many holes a ray meets the next one as if it were none.
-const int kMostHoles = 8;
+// Past this many triangles that let it through, a ray meets the next one.
+const int kMostTrianglesPassed = 8;
 
 // What the ray from the surface meets of the scene in a direction.
 //   across   along the flat triangle's normal, of any length
@@ -63,10 +63,10 @@ void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 fo
   vec3 origin = besideSurface(point.position, max(max(size.x, size.y), size.z), up);
   TriangleHit hit;
   float nearest = 0.0;
-  for (int holes = 0; holes <= kMostHoles; ++holes) {
+  for (int passed = 0; passed <= kMostTrianglesPassed; ++passed) {
     hit = nearestTriangleBeside(scene_triangles, origin, direction, nearest, -1, seesFront() ? unseen_by_itself : 0,
                                 kNarrowMargin);
-    if (hit.triangle < 0 || !isHole(scene_triangles, hit)) break;
+    if (hit.triangle < 0 || !passesTriangle(scene_triangles, hit, direction)) break;
     nearest = hit.distance * (1.0 + 1e-6);
   }
   if (hit.triangle >= 0)

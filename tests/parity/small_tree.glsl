@@ -23,7 +23,7 @@ FN uvec4 fetchWords(SmallTree tree, int texel) {
   if (texel < 5) return uvec4(0u, 0xffff0000u, 0xffffffffu, uint(-1 - 8 * (texel - 3)));  // a leaf of one triangle
   if (texel < 9) return fetchTriangle(texel - 5, 0, 0.0f);
   if (texel < 13) return fetchTriangle(texel - 9, 1, tree.shift);
-  if (texel == 23) return uvec4(0u, 1u, 2u, 0u);
+  if (texel == 23) return uvec4(0u, 0x80000001u, 2u, 0u);
   if (texel == 24) return uvec4(2u, 0u, 1u, 34u);
   if (texel == 34) return uvec4(8u, 0u, 0u, 0u);
   if (texel == 35) return uvec4(0xa5c3aa0fu, 0x0ff0c33cu, 0u, 0u);

@@ -485,9 +485,16 @@ const Case kSurfaceCases[] = {
                     (floatBitsToUint(p.y) & 0x3bff3bffu) | 0x04000400u)),
     PARITY(cellOfTriangle, unit, kExact,
            vec4(float(cellOfTriangle(vec2(q.x, (1.0f - q.x) * q.y), 1 + int(31.0f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(isMetFromBehind, unit, kExact,
+           vec4(isMetFromBehind(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
+                                vec3(r) - 0.51f)
+                    ? 1.0f
+                    : 0.0f,
+                0.0f, 0.0f, 0.0f)),
     PARITY(
-        isHole, unit, kExact,
-        vec4(isHole(MAKE(SmallTree)(1.0f), MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y)))
+        passesTriangle, unit, kExact,
+        vec4(passesTriangle(MAKE(SmallTree)(1.0f),
+                            MAKE(TriangleHit)(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y)), vec3(r) - 0.51f)
                  ? 1.0f
                  : 0.0f,
              0.0f, 0.0f, 0.0f)),

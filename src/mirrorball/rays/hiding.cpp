@@ -19,13 +19,19 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
 
 glm::vec2 sharesOf(std::uint32_t bits) { return glm::vec2(bits & 0xFFFFu, bits >> 16u) / 65536.0f; }
 
+bool isCulled(const Material& material, const Hit& hit, glm::vec3 direction) {
+  return !material.double_sided && material.transmission <= 0.0f && glm::dot(direction, hit.geometric_normal) > 0.0f;
+}
+
 std::optional<Hit> hidingHit(const Scene& scene, const Geometry& geometry, glm::vec3 origin, glm::vec3 direction,
                              std::uint32_t random) {
   float nearest = 0.0f;
   for (int passed = 0; passed <= kMostPassed; ++passed) {
     const std::optional<Hit> hit = geometry.hit(origin, direction, nearest);
     if (!hit) return std::nullopt;
-    const float hides = opacityAt(scene, *hit) * (1.0f - materialOf(scene, hit->instance).transmission);
+    const Material& material = materialOf(scene, hit->instance);
+    const float hides =
+        isCulled(material, *hit, direction) ? 0.0f : opacityAt(scene, *hit) * (1.0f - material.transmission);
     if (hides >= 1.0f || passed == kMostPassed || sharesOf(mixed(random, std::uint32_t(passed))).x < hides) return hit;
     nearest = hit->distance * (1.0f + 1e-5f);
   }

@@ -21,6 +21,11 @@ inline glm::vec3 raisedAbove(glm::vec3 geometric_normal, glm::vec3 direction) {
   return direction - 2.0f * glm::min(glm::dot(direction, geometric_normal), 0.0f) * geometric_normal;
 }
 
+/// Whether a ray passes the back of a surface that has only a front, as the eye does: glTF's rule. Bodies have both.
+///
+/// direction  of the ray
+bool isCulled(const Material& material, const Hit& hit, glm::vec3 direction);
+
 /// The first surface along a ray that hides what is behind it: by its opacity, and less by what it transmits.
 ///
 /// direction  unit

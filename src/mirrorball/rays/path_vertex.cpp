@@ -70,14 +70,7 @@ Ray leavingRay(const PathVertex& vertex, glm::vec3 direction) {
   const Hit& hit = vertex.hit;
   const bool goes_out = glm::dot(direction, hit.geometric_normal) >= 0.0f;
   const bool crosses = goes_out != vertex.is_outside;
-  // Light that crosses what lets none through is sent below the triangle by a smooth normal; a sheet of glass changes
-  // nothing of what is seen through it.
-  const bool goes_on = vertex.surface->transmission <= 0.0f || (!vertex.is_body && arriving.passes_backs);
-  Ray ray{.origin = besideHit(arriving, hit, goes_out),
-          .direction = direction,
-          .from = hit,
-          .passes_backs = crosses && goes_on,
-          .media = arriving.media};
+  Ray ray{.origin = besideHit(arriving, hit, goes_out), .direction = direction, .from = hit, .media = arriving.media};
   const int body = static_cast<int>(hit.instance);
   if (crosses && vertex.is_body)
     ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface->priority);

@@ -16,9 +16,6 @@ struct Ray {
   float nearest = 0.0f;       ///< distance from which on surfaces are there
   /// The triangle that it leaves, which a plane cannot meet again; a relief can be met again.
   std::optional<Hit> from = {};
-  /// Whether it passes the backs of surfaces that have only a front: as the renderer's eye does, also through sheets of
-  /// glass, and as light must that a smooth normal sends below its flat triangle.
-  bool passes_backs = true;
   formula::Media media = {};  ///< that it is in
 };
 

@@ -25,8 +25,7 @@ bool SurfaceFinder::passes(const Hit& hit, Ray& ray, bool meets_bodies_alone) {
   const Material& material = materialOf(scene_, hit.instance);
   const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
   // doubleSided does not count for bodies, and does for sheets of glass (KHR_materials_volume, "Properties").
-  const bool has_back = material.double_sided || isBody(material) || !ray.passes_backs;
-  if (!has_back && !is_entering) return true;
+  if (!is_entering && !material.double_sided && !isBody(material)) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
   if (!isBody(material)) return !is_there || (meets_bodies_alone && ray.from);
   const int body = static_cast<int>(hit.instance);

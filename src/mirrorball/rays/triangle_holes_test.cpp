@@ -48,10 +48,11 @@ TEST(TriangleHoles, RaysPassWhatAMaskCutsAway) {
     for (int column = 0; column < 8; ++column)
       for (const glm::vec2 within : {glm::vec2(0.3f, 0.2f), glm::vec2(0.4f, 0.8f)}) {
         const glm::vec2 place = (glm::vec2(column, row) + within) / 4.0f - 1.0f;
-        const auto hit = formula::nearestTriangle(**tree, glm::vec3(place, 1.0f), glm::vec3(0.0f, 0.0f, -1.0f), 0.0f,
-                                                  -1, formula::kNarrowMargin);
+        constexpr glm::vec3 kDown(0.0f, 0.0f, -1.0f);
+        const auto hit =
+            formula::nearestTriangle(**tree, glm::vec3(place, 1.0f), kDown, 0.0f, -1, formula::kNarrowMargin);
         ASSERT_GE(hit.triangle, 0);
-        EXPECT_EQ(formula::isHole(**tree, hit), isCutAway(column, row)) << column << " " << row;
+        EXPECT_EQ(formula::passesTriangle(**tree, hit, kDown), isCutAway(column, row)) << column << " " << row;
       }
 }
 

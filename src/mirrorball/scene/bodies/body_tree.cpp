@@ -23,6 +23,9 @@ constexpr std::uint32_t kTrianglesKept = 4;
 /// While the tree is built: a triangle, its box, its place in the tree and its share of the nodes and words.
 constexpr std::uint64_t kBytesPerTriangle = 260;
 
+/// Beside the number of a corner.
+constexpr std::uint32_t kFlag = 0x80000000u;
+
 using Texel = glm::uvec4;
 
 /// Without a 0 to divide by.
@@ -269,7 +272,8 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
     const std::uint32_t* const corner = mesh.indices.data() + triangle.first;
     const std::uint32_t sides = sidesOf(triangle.instance);
     const glm::uvec3 numbers = first_vertex[triangle.instance] + sides * glm::uvec3(corner[0], corner[1], corner[2]);
-    words.emplace_back(numbers.x | (sides > 1 ? 0x80000000u : 0u), numbers.y, numbers.z, 0u);
+    const bool has_back = materialOf(scene, triangle.instance).double_sided;
+    words.emplace_back(numbers.x | (sides > 1 ? kFlag : 0u), numbers.y | (has_back ? 0u : kFlag), numbers.z, 0u);
   }
   const std::size_t of_triangles = words[1].w;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {

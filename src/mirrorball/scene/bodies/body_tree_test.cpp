@@ -196,6 +196,22 @@ TEST(SceneTree, TellsWhatVerticesKnow) {
   EXPECT_GT(compared, 10u);
 }
 
+// Rays go on through what has only a front where they come from behind, as the eye does.
+TEST(SceneTree, RaysPassTheBacksOfWhatHasOnlyAFront) {
+  for (const bool has_back : {false, true}) {
+    Scene scene = withLooks();
+    for (Material& material : scene.materials) material.double_sided = has_back;
+    const auto tree = sceneTree(scene);
+    ASSERT_TRUE(tree && *tree);
+    const glm::vec3 direction(1.0f, 0.0f, 0.0f);
+    const auto front =
+        formula::nearestTriangle(**tree, glm::vec3(-9, 0, 0), direction, 0.0f, -1, formula::kNarrowMargin);
+    ASSERT_GE(front.triangle, 0);
+    EXPECT_FALSE(formula::passesTriangle(**tree, front, direction));
+    EXPECT_EQ(formula::passesTriangle(**tree, front, -direction), !has_back);
+  }
+}
+
 TEST(SceneTree, LeavesOutWhatIsSeenThroughAndWhatIsNotKnown) {
   Scene scene = withLooks();
   scene.instances[0].vertex_materials.clear();

@@ -179,8 +179,7 @@ Result<void> write(const FileWriter& file, bool has_materials, const Scene& scen
 }  // namespace
 
 bool OcclusionCache::isWorthAFile(const Scene& scene, const SceneOcclusionSettings& settings) {
-  const std::size_t vertices = verticesOf(scene);
-  return vertices * occlusionRaysOfVertex(vertices, settings) >= kFewestRays;
+  return occlusionRays(verticesOf(scene), settings) >= kFewestRays;
 }
 
 std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettings& settings) {

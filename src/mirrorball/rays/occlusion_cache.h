@@ -20,7 +20,7 @@ namespace mirrorball {
 class OcclusionCache {
  public:
   /// Increased whenever findOcclusion gives other values or the file format changes: older files are then not found.
-  static constexpr std::uint32_t kVersion = 4;
+  static constexpr std::uint32_t kVersion = 5;
   /// Of fewer rays nothing is kept: 20 ms on one core.
   static constexpr std::size_t kFewestRays = 40'000;
 

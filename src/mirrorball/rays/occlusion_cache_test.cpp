@@ -284,10 +284,10 @@ TEST(OcclusionCacheVersion, GoesUpWithOtherValues) {
     values.insert(values.end(), {occlusion.occluded.x, occlusion.open, occlusion.interreflected.y, occlusion.lit_from.x,
                                  occlusion.emitted.z});
   }
-  EXPECT_EQ(OcclusionCache::kVersion, 4u);
+  EXPECT_EQ(OcclusionCache::kVersion, 5u);
   EXPECT_THAT(values, ::testing::Pointwise(::testing::FloatNear(1e-3f),
-                                           {0.1976f, 0.5862f, 0.1820f, -0.0071f, 0.4107f, 0.2300f, 0.5026f, 0.2188f,
-                                            -0.0115f, 0.5138f, 0.2263f, 0.4798f, 0.2254f, -0.0383f, 0.5425f}));
+                                           {0.1804f, 0.5752f, 0.1858f, -0.0233f, 0.4179f, 0.2485f, 0.4261f, 0.2513f,
+                                            -0.0239f, 0.5960f, 0.2506f, 0.3627f, 0.2763f, -0.0650f, 0.6600f}));
 }
 
 }  // namespace

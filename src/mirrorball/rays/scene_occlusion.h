@@ -10,7 +10,9 @@
 namespace mirrorball {
 
 struct SceneOcclusionSettings {
-  int rays = 0;  ///< from each vertex, at most 4096; 0: as many as make some million in all, from 8 to 256
+  /// From each vertex, at most 4096; 0: some million in all, from 16 to 1024 for each vertex, or where there are more
+  /// than 62 500 for each patch of neighbouring ones (VertexPatches), more where its triangles are large.
+  int rays = 0;
   bool finds_materials = false;  ///< Instance::vertex_materials too
   /// Meshes are cut first where their triangles are too large to tell (occlusionRefinements). Only findOcclusionOnce
   /// does so.
@@ -19,15 +21,15 @@ struct SceneOcclusionSettings {
   bool operator==(const SceneOcclusionSettings&) const = default;
 };
 
-/// The rays from each of so many different vertices.
-std::size_t occlusionRaysOfVertex(std::size_t vertices, const SceneOcclusionSettings& settings);
+/// The rays from so many different vertices of a few objects, in all.
+std::size_t occlusionRays(std::size_t vertices, const SceneOcclusionSettings& settings);
 
 /// Finds what each vertex of a scene sees of the environment and what of the scene (Instance::occlusion), by rays from
 /// the triangles around it. Surfaces hide by their opacity, and less by what they transmit; light that they reflect is
 /// followed to its end as if they were matt, by their colour: under a white sky all of a white scene is white.
 ///
-/// The directions of a vertex are a sequence that covers the hemisphere by its cosine; what is found is smoothed over
-/// the edges of triangles. The same for any number of threads.
+/// The directions of a patch are a sequence that covers the hemisphere by its cosine. What is found is smoothed over
+/// the edges of triangles, or between patches of several vertices. The same for any number of threads.
 ///
 /// errors   interrupted, too_large; then the scene is as before
 /// cost     a ray takes 0.5 µs on one core; 8 bytes a ray for as long as it takes. Where something shines, half as many

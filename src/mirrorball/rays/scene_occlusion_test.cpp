@@ -323,6 +323,7 @@ TEST(SceneOcclusion, GlassAndWhatIsCutAwayHideNothing) {
   Material veil = matt(0.5f);
   veil.alpha_mode = AlphaMode::blend;
   veil.opacity = 0.5f;
+  veil.double_sided = true;
   const auto underBall = [](const Material& of_ball) {
     const Scene scene = withOcclusion(ballOverPlane(0.5f, 0.5f, of_ball), 512);
     return scene.instances[0].occlusion[10 * 21 + 10].open;  // where it stands
@@ -333,6 +334,68 @@ TEST(SceneOcclusion, GlassAndWhatIsCutAwayHideNothing) {
   EXPECT_EQ(underBall(hole), 1.0f);
   // A ray meets the ball twice.
   EXPECT_NEAR(underBall(veil), 1.0f - 0.75f * (1.0f - solid), 0.05f);
+}
+
+// glTF's rule: the back of a surface that has only a front is not drawn, so it hides nothing either. A sheet hides the
+// floor that its front faces, and not one that it turns its back to.
+TEST(SceneOcclusion, ABackThatIsNotDrawnHidesNothing) {
+  const auto openBelow = [](bool faces_floor, bool double_sided) {
+    Scene scene = meshScene(gridMesh(2.0f, 20), matt(0.0f));
+    Material sheet = matt(0.0f);
+    sheet.double_sided = double_sided;
+    scene.materials.push_back(sheet);
+    scene.meshes.push_back(gridMesh(2.0f, 20));
+    scene.meshes[1].edit().material = 1;
+    glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.3f, 0.0f));
+    if (faces_floor) place = glm::rotate(place, glm::pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
+    scene.instances.push_back({.mesh = 1, .world_from_object = place});
+    return withOcclusion(std::move(scene), 256).instances[0].occlusion[10 * 21 + 10].open;
+  };
+  EXPECT_LT(openBelow(true, false), 0.1f);
+  EXPECT_LT(openBelow(true, true), 0.1f);
+  EXPECT_LT(openBelow(false, true), 0.1f);
+  EXPECT_EQ(openBelow(false, false), 1.0f);
+}
+
+// A ball of so many triangles that its vertices share their rays hides from a floor what one of few does, and no vertex
+// of it knows something else than those beside it.
+TEST(SceneOcclusion, AFinelyCutBallKnowsWhatACoarseOneDoes) {
+  const auto touchingBalls = [](int rings) {
+    Scene scene = meshScene(sphereMesh(rings, 2 * rings), matt(0.5f));
+    for (const float x : {-0.52f, 0.52f}) {
+      const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(x, 0.0f, 0.0f));
+      scene.instances.push_back({.mesh = 0, .world_from_object = glm::scale(place, glm::vec3(0.5f))});
+    }
+    scene.instances.erase(scene.instances.begin());
+    return withOcclusion(std::move(scene), 0);
+  };
+  const Scene fine = touchingBalls(200);
+  const std::vector<Vertex>& vertices = fine.meshes[0]->vertices;
+  const std::vector<VertexOcclusion>& occlusion = fine.instances[0].occlusion;
+  ASSERT_GT(vertices.size(), 80'000u);
+  // Of a ball of radius 1 at the distance d from a place of another, its middle at the angle a from the normal and whole
+  // above the horizon: cos a / d².
+  std::vector<float> errors(vertices.size(), NAN);
+  double square = 0.0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const glm::vec3 to_other = glm::vec3(2.08f, 0.0f, 0.0f) - vertices[i].position;
+    const float distance = glm::length(to_other);
+    const float cosine = glm::dot(to_other, vertices[i].normal) / distance;
+    if (cosine * distance < 1.0f) continue;
+    errors[i] = occlusion[i].open - 1.0f + cosine / (distance * distance);
+    EXPECT_LT(std::abs(errors[i]), 0.06f) << i;
+    square += std::pow(errors[i], 2.0);
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(vertices.size())), 0.006);
+  float largest_step = 0.0f;
+  const std::vector<std::uint32_t>& indices = fine.meshes[0]->indices;
+  for (std::size_t i = 0; i < indices.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float step = std::abs(errors[indices[i + k]] - errors[indices[i + (k + 1) % 3]]);
+      if (step > largest_step) largest_step = step;
+    }
+  EXPECT_GT(largest_step, 0.0f);
+  EXPECT_LT(largest_step, 0.06f);
 }
 
 TEST(SceneOcclusion, AMeshIsHiddenDifferentlyAtEachPlace) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 
 #include "formula/bsdf.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/rays/hiding.h"
+#include "mirrorball/rays/hiding_bound.h"
 #include "mirrorball/rays/vertex_places.h"
 #include "mirrorball/scene/unit_vector.h"
 
@@ -53,21 +55,23 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
   return placed;
 }
 
-glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights) {
+SeenScene seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights) {
   const Frame frame(placed.normalAt(weights));
   const glm::vec3 origin = formula::besideSurface(placed.at(weights), 0.0f, placed.geometric_normal);
-  glm::vec3 occluded(0.0f);
-  int open = 0;
+  SeenScene seen;
   for (int ray = 0; ray < kRays; ++ray) {
     const glm::vec2 even = formula::evenPoint(glm::vec2(0.0f), static_cast<float>(ray));
     const glm::vec3 direction =
         raisedAbove(placed.geometric_normal, frame.toWorld(formula::sampleDiffuse({even.y, even.x})));
-    if (hidingHit(scene, geometry, origin, direction, mixed(0u, static_cast<std::uint32_t>(ray))))
-      occluded += direction;
-    else
-      ++open;
+    const auto hit = hidingHit(scene, geometry, origin, direction, mixed(0u, static_cast<std::uint32_t>(ray)));
+    if (hit) {
+      seen.occluded += direction / float{kRays};
+      seen.nearness += 1.0f / (hit->distance * float{kRays});
+    } else {
+      seen.open += 1.0f / float{kRays};
+    }
   }
-  return glm::vec4(occluded, static_cast<float>(open)) / static_cast<float>(kRays);
+  return seen;
 }
 
 bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& instance) {
@@ -84,8 +88,16 @@ bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& in
   for (std::size_t i = 0; i < asked; ++i)
     open += seenFrom(scene, geometry, placedTriangle(mesh, instance, i * triangles / asked).turnedOver(),
                      glm::vec3(1.0f / 3.0f))
-                .w;
+                .open;
   return open > kFewest * static_cast<float>(asked);
+}
+
+std::vector<std::uint8_t> instancesWithBacks(const Scene& scene, const Geometry& geometry) {
+  std::vector<std::uint8_t> shows_back(scene.instances.size());
+  parallelFor(shows_back.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) shows_back[i] = showsBacks(scene, geometry, scene.instances[i]) ? 1 : 0;
+  });
+  return shows_back;
 }
 
 Result<bool> hidesItself(const Scene& scene) {
@@ -101,11 +113,11 @@ Result<bool> hidesItself(const Scene& scene) {
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const std::size_t triangles = mesh.indices.size() / 3;
     for (; next < triangles; next += step)
-      if (seenFrom(scene, geometry, placedTriangle(mesh, instance, next), glm::vec3(1.0f / 3.0f)).w < kMostlyOpen)
+      if (seenFrom(scene, geometry, placedTriangle(mesh, instance, next), glm::vec3(1.0f / 3.0f)).open < kMostlyOpen)
         return true;
     next -= triangles;
   }
-  return false;
+  return !hidesLittleSurely(scene, instancesWithBacks(scene, geometry));
 }
 
 }  // namespace mirrorball

@@ -1,6 +1,7 @@
 #include "mirrorball/rays/vertex_places.h"
 
 #include <array>
+#include <cmath>
 
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/equal_vertices.h"
@@ -34,12 +35,17 @@ VertexPlaces::VertexPlaces(const Scene& scene, std::span<const std::uint8_t> has
     : scene_(scene), numbers_(scene.instances.size()) {
   first_.push_back(0);
   for (std::size_t instance = 0; instance < scene.instances.size(); ++instance) {
+    const auto first_front = static_cast<std::uint32_t>(normals_.size());
+    const auto first_back = static_cast<std::uint32_t>(fronts_.size());
     add(scene, instance);
     for (auto vertex = static_cast<std::uint32_t>(backs_.size()); vertex < normals_.size(); ++vertex) {
       backs_.push_back(vertex);
       if (has_back[instance] != 0) fronts_.push_back(vertex);
     }
+    ranges_[0].push_back({first_front, static_cast<std::uint32_t>(normals_.size()) - first_front});
+    ranges_[1].push_back({first_back, static_cast<std::uint32_t>(fronts_.size()) - first_back});
   }
+  for (Range& range : ranges_[1]) range.first += static_cast<std::uint32_t>(normals_.size());
   for (std::size_t i = 0; i < fronts_.size(); ++i) backs_[fronts_[i]] = static_cast<std::uint32_t>(normals_.size() + i);
 }
 
@@ -86,6 +92,13 @@ glm::vec3 VertexPlaces::outwardNormal(std::size_t instance, std::size_t triangle
   for (std::size_t i = 3 * triangle; i < 3 * triangle + 3; ++i)
     normals += normals_[vertexOf(instance, mesh.indices[i])];
   return facingOutwards(geometric_normal, normals);
+}
+
+glm::vec3 VertexPlaces::position(std::size_t vertex) const {
+  const std::size_t front = frontOf(vertex);
+  if (first_[front] == first_[front + 1]) return glm::vec3(NAN);
+  const Corner& corner = corners_[first_[front]];
+  return cornerOf(scene_, corner.instance, corner.index);
 }
 
 PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const {

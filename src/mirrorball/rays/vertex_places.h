@@ -47,10 +47,20 @@ class VertexPlaces {
   /// has_back   of each instance, not 0: its vertices have backs
   VertexPlaces(const Scene& scene, std::span<const std::uint8_t> has_back);
 
+  /// Numbers that follow each other.
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+
   /// How many different vertices there are in all instances.
   std::size_t size() const { return normals_.size() + fronts_.size(); }
   /// World, unit; 0 where the vertex has none.
   glm::vec3 normal(std::size_t vertex) const { return isBack(vertex) ? -normals_[frontOf(vertex)] : normals_[vertex]; }
+  /// World; not a number where it has no triangles.
+  glm::vec3 position(std::size_t vertex) const;
+  /// The numbers of an instance's vertices on one side: of the backs, none where they are those of the fronts.
+  Range verticesOf(std::size_t instance, bool is_back) const { return ranges_[is_back ? 1 : 0][instance]; }
   /// Triangles of some area around it.
   std::size_t triangles(std::size_t vertex) const {
     const std::size_t front = frontOf(vertex);
@@ -86,8 +96,9 @@ class VertexPlaces {
   std::vector<glm::vec3> normals_;
   std::vector<std::uint32_t> first_;  // of each vertex's corners, and the end
   std::vector<Corner> corners_;
-  std::vector<std::uint32_t> backs_;   // of each vertex, backOf
-  std::vector<std::uint32_t> fronts_;  // of each back, its vertex
+  std::array<std::vector<Range>, 2> ranges_;  // of each instance's fronts, and of its backs
+  std::vector<std::uint32_t> backs_;          // of each vertex, backOf
+  std::vector<std::uint32_t> fronts_;         // of each back, its vertex
 };
 
 }  // namespace mirrorball

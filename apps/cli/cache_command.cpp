@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/picture_request.h"
+#include "cli/render_frames.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/cache_folder.h"
@@ -79,13 +80,21 @@ Result<void> clear() {
   return {};
 }
 
+/// What decides about the programs of pictures.
+struct WarmRequest : PictureRequest {
+  PictureForm form = {};
+  Turntable turntable = {};
+};
+
 /// Prepares what `render` of one model prepares.
 ///
 /// is_first   the driver's cache has not been reported on yet
-Result<void> warmModel(PictureRequest request, bool is_first) {
+Result<void> warmModel(WarmRequest request, bool is_first) {
   StageClock clock;
   setTheStage(request);
+  request.scene.objects_move = request.turntable.turn == Turn::object;
   MIRRORBALL_TRY(settings, checkedFrame(request));
+  if (request.form.gain_map) settings = settingsForGainMap(std::move(settings));
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.stated, {}, clock));
   MIRRORBALL_TRY_VOID(checkShown(settings, inputs.scene));
   remarkOnIdleOptions(inputs.scene, settings, request.stated);
@@ -93,18 +102,20 @@ Result<void> warmModel(PictureRequest request, bool is_first) {
   if (is_first && drivers && drivers->is_on == false)
     remark("the driver's cache is off (" + drivers->switch_name + "), so that it keeps no compiled shaders");
   const std::string& model = request.scene.model;
-  MIRRORBALL_TRY_VOID(
-      clock.time("programs", [&] { return warmUp(std::move(inputs), settings, progressBar(model, "programs")); }));
+  const Shown shown = request.form.primaries == OutputPrimaries::rec709 ? Shown::picture : Shown::light;
+  MIRRORBALL_TRY_VOID(clock.time(
+      "programs", [&] { return warmUp(std::move(inputs), settings, progressBar(model, "programs"), shown); }));
   if (request.scene.timings) clock.print();
   tell("ready        " + model);
   return {};
 }
 
-Result<void> warm(PictureRequest request, std::vector<std::string> models) {
+Result<void> warm(WarmRequest request, std::vector<std::string> models) {
   constexpr const char* kInterrupted = "interrupted; what was prepared until now stays in the caches";
   if (request.scene.is_uncached)
     return fail(ErrorCode::usage,
                 "--no-cache leaves the cache as it is, and `cache warm` fills it; leave one of them out");
+  MIRRORBALL_TRY_VOID(checkTurn(request.turntable));
   MIRRORBALL_TRY(cache, CacheFolder::ofUser());
   if (!cache || cache->maxBytes() == 0) remark("prefiltered environments and occlusion are not kept; see `cache show`");
   if (models.empty()) models.push_back(request.scene.model);
@@ -125,7 +136,7 @@ Result<void> warm(PictureRequest request, std::vector<std::string> models) {
 struct CacheRequest {
   std::string action = "show";
   std::vector<std::string> models = {};
-  PictureRequest picture = {};
+  WarmRequest picture = {};
   std::string picture_option = {};  ///< the first on the command line
 };
 
@@ -156,7 +167,9 @@ Command cacheCommand() {
           "ACTION is `show` (the default), which shows the graphics driver's cache of compiled shaders, too; "
           "`clear`, which leaves the driver's as it is; or `warm`, which prepares all that `render` of each MODEL "
           "with the same options waits for before its first picture, the driver's shaders among it, and writes no "
-          "picture. The options below MODEL are those of `render`, for `warm` alone.",
+          "picture. The options below MODEL are those of `render`, for `warm` alone; where `render` writes radiance, "
+          "to "
+          "a file such as .exr, they are with --resolve radiance.",
       .examples = {{"cache show", "where the caches are, and how large"},
                    {"cache warm helmet.glb -e garden.hdr --stand",
                     "the next `render` with these options starts its picture at once"}}};
@@ -164,6 +177,8 @@ Command cacheCommand() {
               request->action);
   addArgument(command, modelArgument("MODEL", request->picture.scene.model), request->models);
   addPictureOptions(command, request->picture);
+  addPictureForm(command, request->picture.form);
+  addOptions(command, turntableOptions(), request->picture.turntable, &request->picture.stated);
   for (CommandOption& option : command.options)
     option.set = [set = std::move(option.set), request,
                   name = std::string(option.text.name)](const std::string& value) {

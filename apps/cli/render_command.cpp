@@ -54,18 +54,6 @@ const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
      &RenderFiles::output},
 });
 
-const std::string kPrimariesHelp = primariesHelp({Holds::light, Holds::picture});
-
-OptionText ofPicture(OptionText text) {
-  text.group = "Picture";
-  return text;
-}
-
-const auto kPictureFormOptions = std::to_array<Option<PictureForm>>({
-    {ofPicture(primariesText(kPrimariesHelp)), choiceField<&PictureForm::primaries>},
-    {gainMapText(), &PictureForm::gain_map},
-});
-
 /// All that `render` was told.
 struct RenderRequest : PictureRequest {
   RenderFiles files;
@@ -105,9 +93,7 @@ Result<void> checkObject(const Turntable& turntable, const Scene& scene) {
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
   const std::string& output = request.files.output;
   MIRRORBALL_TRY_VOID(refuseFilm(output));
-  if (request.turntable.frames == 0 && request.turntable.turn != Turn::camera)
-    return fail(ErrorCode::usage,
-                "--turn says what goes round in a turntable, and one picture is none; add --frames N");
+  MIRRORBALL_TRY_VOID(checkTurn(request.turntable));
   const bool turns_view = request.turntable.turn == Turn::camera || request.turntable.turn == Turn::model;
   if (turns(request) && turns_view && !settings.camera.name.empty())
     return fail(ErrorCode::usage, "--frames: the camera '" + settings.camera.name +
@@ -196,7 +182,7 @@ Command renderCommand() {
   addModel(command, "MODEL", request->scene);
   addPictureOptions(command, *request);
   addOptions(command, kRenderFileOptions, request->files);
-  addOptions(command, kPictureFormOptions, request->form);
+  addPictureForm(command, request->form);
   addOptions(command, turntableOptions(), request->turntable, &request->stated);
   addReference(command, request->reference, request->stated);
   command.action = [request] {

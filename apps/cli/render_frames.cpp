@@ -1,6 +1,7 @@
 #include "cli/render_frames.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -15,6 +16,18 @@
 
 namespace mirrorball::cli {
 namespace {
+
+const std::string kPrimariesHelp = primariesHelp({Holds::light, Holds::picture});
+
+OptionText ofPicture(OptionText text) {
+  text.group = "Picture";
+  return text;
+}
+
+const auto kPictureFormOptions = std::to_array<Option<PictureForm>>({
+    {ofPicture(primariesText(kPrimariesHelp)), choiceField<&PictureForm::primaries>},
+    {gainMapText(), &PictureForm::gain_map},
+});
 
 /// Draws pictures one after the other.
 ///
@@ -47,6 +60,19 @@ float angleOf(std::size_t frame, std::size_t frames) {
 
 }  // namespace
 
+void addPictureForm(Command& command, PictureForm& form) { addOptions(command, kPictureFormOptions, form); }
+
+FrameSettings settingsForGainMap(FrameSettings settings) {
+  settings.resolve = Resolve::radiance;
+  if (settings.background == BackgroundKind::display_color) settings.background = BackgroundKind::transparent;
+  return settings;
+}
+
+Result<void> checkTurn(const Turntable& turntable) {
+  if (turntable.frames > 0 || turntable.turn == Turn::camera) return {};
+  return fail(ErrorCode::usage, "--turn says what goes round in a turntable, and one picture is none; add --frames N");
+}
+
 Result<void> writeShown(const std::string& output, Image radiance, const FrameSettings& frame,
                         const PictureForm& form) {
   const glm::vec4 backdrop = backdropOf(frame);
@@ -61,9 +87,8 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
                          const PictureForm& form, StageClock& clock, const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(clock.time("scene: trees, shadows", [&] { return renderer.stage().prepare(settings); }));
   if (form.gain_map) {
-    FrameSettings without_backdrop = settings;
-    if (settings.background == BackgroundKind::display_color) without_backdrop.background = BackgroundKind::transparent;
-    MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(without_backdrop, progress); }));
+    const FrameSettings of_radiance = settingsForGainMap(settings);
+    MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(of_radiance, progress); }));
     MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
     return clock.time("picture: encode and write",
                       [&] { return writeShown(output, std::move(radiance), settings, form); });

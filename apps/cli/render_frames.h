@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "mirrorball/codec/color/output_primaries.h"
@@ -17,6 +18,15 @@ struct PictureForm {
   bool gain_map = false;                                ///< beside each: savePictureWithGainMap
   OutputPrimaries primaries = OutputPrimaries::rec709;  ///< of each
 };
+
+/// Adds the options of it.
+void addPictureForm(Command& command, PictureForm& form);
+
+/// The settings of a frame that a picture with a gain map is made of: its radiance, without the colour of the display.
+FrameSettings settingsForGainMap(FrameSettings settings);
+
+/// errors   usage: something is to turn in a single picture
+Result<void> checkTurn(const Turntable& turntable);
 
 /// Where pictures go.
 struct PictureFiles {

@@ -182,16 +182,19 @@ TEST_F(DriverCacheCliTest, ShowTellsOfItAndClearLeavesIt) {
 TEST_F(DriverCacheCliTest, AfterWarmARenderHasNothingToCompileOrToPrepare) {
   for (const std::string line : {"sphere -e map.exr --material rough-metal --quality draft --size 256x128",
                                  "teapot -e map.exr --material glass --stand --quality good --size 320x180",
+                                 "sphere -e map.exr --quality draft --samples 1 --size 64x64 --primaries rec2020",
+                                 "sphere -e map.exr --quality draft --samples 1 --size 64x64 --gain-map",
                                  "sphere -e map.exr --probes 1 --quality draft --samples 1 --size 320x240"}) {
     for (const char* name : {"cold", "warm"})
       for (const char* of : {"", "-driver"}) fs::remove_all(path(name + std::string(of)));
-    succeed("render " + line + " --quiet -o cold.png", withBoth("cold"));
+    const std::string extension = line.ends_with("--gain-map") ? ".jpg" : ".png";
+    succeed("render " + line + " --quiet -o cold" + extension, withBoth("cold"));
     EXPECT_GT(keptIn("cold").size(), 5u) << "else nothing is compared: " << line;
     EXPECT_EQ(succeed("cache warm " + line + " --quiet", withBoth("warm")), "");
     const std::set<std::string> prepared = keptIn("warm");
-    succeed("render " + line + " --quiet -o warm.png", withBoth("warm"));
+    succeed("render " + line + " --quiet -o warm" + extension, withBoth("warm"));
     EXPECT_EQ(keptIn("warm"), prepared) << line;
-    EXPECT_TRUE(bytes("warm.png") == bytes("cold.png")) << line;
+    EXPECT_TRUE(bytes("warm" + extension) == bytes("cold" + extension)) << line;
   }
 }
 

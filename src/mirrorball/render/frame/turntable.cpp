@@ -38,7 +38,7 @@ const auto kTurntableOptions = std::to_array<Option<Turntable>>({
       .maximum = 100000,
       .help = "number of pictures of one full turn of a turntable, or with {option:animation} and no time over its "
               "length, the last one step before its end so that a loop closes, while the camera stands still unless "
-              "{option:turn} is given; %04d or #### in the output's name stands for the picture's number, which "
+              "{option:turn} is used; %04d or #### in the output's name stands for the picture's number, which "
               "otherwise comes at the end; 0: a single picture",
       .group = "Picture",
       .is_daily = true},

@@ -32,9 +32,13 @@ Result<void> makePrograms(Renderer& renderer, const FrameSettings& settings, con
 /// Draws a frame small, to the picture, and one sample of it as it is: which surfaces are drawn twice, and how large
 /// shadows and probes are, depends on the number of pixels.
 Result<void> drawFirst(Renderer& renderer, const FrameSettings& settings, const FrameSettings& small,
-                       const ProgressFunction& goes_on) {
+                       const ProgressFunction& goes_on, Shown shown) {
   MIRRORBALL_TRY_VOID(renderer.draw(small, goes_on));
-  MIRRORBALL_TRY_VOID(renderer.picture());
+  if (shown == Shown::light) {
+    MIRRORBALL_TRY_VOID(renderer.displayedLight());
+  } else {
+    MIRRORBALL_TRY_VOID(renderer.picture());
+  }
   if (small == settings) return {};
   MIRRORBALL_TRY_VOID(renderer.begin(settings));
   MIRRORBALL_TRY_VOID(renderer.drawSample());
@@ -43,7 +47,7 @@ Result<void> drawFirst(Renderer& renderer, const FrameSettings& settings, const 
 
 }  // namespace
 
-Result<void> warmUp(RenderInputs inputs, const FrameSettings& settings, const ProgressFunction& progress) {
+Result<void> warmUp(RenderInputs inputs, const FrameSettings& settings, const ProgressFunction& progress, Shown shown) {
   // A program whose first code llvmpipe takes from its cache has its second code there under another key than one whose
   // first code was compiled, so that a second process may compile again, and a third one. Usually two rounds do.
   constexpr int kMostRounds = 4;
@@ -64,7 +68,7 @@ Result<void> warmUp(RenderInputs inputs, const FrameSettings& settings, const Pr
       MIRRORBALL_TRY_VOID(renderer.setScene(inputs.scene));
       MIRRORBALL_TRY_VOID(renderer.stage().prepare(settings, goes_on));
       if (round == 1) MIRRORBALL_TRY_VOID(makePrograms(renderer, small, report));
-      MIRRORBALL_TRY_VOID(drawFirst(renderer, settings, small, goes_on));
+      MIRRORBALL_TRY_VOID(drawFirst(renderer, settings, small, goes_on, shown));
     }  // whose end waits until the driver has written all
     if (cache ? cache->contents().bytes == bytes_before : round == 2) break;
   }

@@ -7,6 +7,12 @@
 
 namespace mirrorball {
 
+/// How a frame is read that has been drawn.
+enum class Shown {
+  picture,  ///< View::picture
+  light,    ///< View::displayedLight
+};
+
 /// Makes all that the first picture of a scene waits for and that drivers keep for later processes: compiles the
 /// programs of a frame. What the cache folder keeps was made when the inputs were loaded.
 ///
@@ -16,9 +22,11 @@ namespace mirrorball {
 /// inputs    of loadRenderInputs
 /// settings  those of the frame, filled in
 /// progress  counts the programs of surfaces
+/// shown     how the frame is read
 /// errors    as Renderer's and View::draw's; interrupted
 /// cost      that of compiling the programs, and for each of usually two or three rounds that of preparing the scene
 ///           and of a sample of the frame; memory for a second copy of the environment
-Result<void> warmUp(RenderInputs inputs, const FrameSettings& settings, const ProgressFunction& progress = {});
+Result<void> warmUp(RenderInputs inputs, const FrameSettings& settings, const ProgressFunction& progress = {},
+                    Shown shown = Shown::picture);
 
 }  // namespace mirrorball

@@ -34,6 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         inPart("ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }),
         inPart("ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }),
         DamagedFile{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
+        inPart("ExrChromaByRows", [] { return scanLineExr(Imf::NO_COMPRESSION, Imf::WRITE_YCA); }),
         inPart("ExrTiled",
                [] {
                  return testing::foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,

@@ -12,7 +12,8 @@
 #
 # A window needs a display, even one that nobody sees: without one xvfb-run makes it (Debian: xvfb).
 #
-# Plots (.svg) are made by the benchmarks that the pages name; only their sizes are looked at here.
+# Plots (.svg) are made by the benchmarks that the pages name, and hidden_before.jpg by `hidden_light sheet` before a
+# technique was changed; only their sizes are looked at here.
 #
 # Exit code 1 if a command fails, a picture is shown that no command makes or made and not shown, or one is larger than
 # 300 KB (all together: 5 MB).
@@ -43,7 +44,7 @@ commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' R
 # What a command writes is named last: after -o, --screenshot of `view`, or --heat-map of `compare`, which reads others.
 made=$(echo "$commands" | sed -n 's|.* docs/pictures/\([^ ]*\).*|\1|p' | sort)
 shown=$(cat README.md docs/*.md docs/*/*.md | grep -o '[("][a-z./]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
-is_plot() { [ "${1##*.}" = svg ]; }
+is_plot() { [ "${1##*.}" = svg ] || [ "$1" = hidden_before.jpg ]; }
 
 for name in $(echo "$made" | uniq -d); do complain "two commands make $name"; done
 for name in $shown; do

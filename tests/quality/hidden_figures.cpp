@@ -67,6 +67,8 @@ fs::path referencePath(const std::string& name) { return sourceFolder() / "refer
 
 Result<Image> readReference(const std::string& name) { return readPicture(referencePath(name)); }
 
+std::string tracedBy(int paths) { return "--reference --samples " + std::to_string(paths); }
+
 Result<double> parseNoise(const std::string& printed) {
   constexpr std::string_view kBefore = "standard error at most ";
   const std::size_t at = printed.find(kBefore);

@@ -45,8 +45,13 @@ Result<Image> readReference(const std::string& name);
 /// errors   bad_file
 Result<double> parseNoise(const std::string& printed);
 
-/// A row for each scene: noise of the reference, then FLIP and RMSE of `--reference --bounces 1`.
-inline constexpr std::size_t kReferenceColumns = 3;
+/// The options that trace a reference.
+std::string tracedBy(int paths);
+
+/// A row for each scene: paths of a pixel and noise of the reference, then FLIP and RMSE of `--reference --bounces 1`.
+inline constexpr std::size_t kReferenceColumns = 4;
+inline constexpr std::size_t kPathsColumn = 0, kNoiseColumn = 1;
+inline constexpr double kNotMeasured = -1.0;
 std::filesystem::path referenceTablePath();
 
 /// A row for each scene: FLIP and RMSE of draft, of good and of best.

@@ -1,5 +1,6 @@
 // usage: hidden_light write FOLDER
-//        hidden_light trace|one-bounce|measure [SCENE…]
+//        hidden_light trace|one-bounce [PATHS] [SCENE…]
+//        hidden_light measure [SCENE…]
 //        hidden_light page
 //        hidden_light sheet FILE [SCENE…]
 //
@@ -12,7 +13,8 @@
 //   page        writes the numbers of all into the page hidden.md
 //   sheet       writes a sheet with the reference above what `good` draws, for each scene
 //
-// `trace` and `one-bounce` take half a minute of a processor for each scene, `measure` some seconds.
+// PATHS of a pixel, else 1024, with which `trace` and `one-bounce` take half a minute of a processor for each scene;
+// `measure` takes some seconds.
 
 #include <algorithm>
 #include <array>
@@ -20,11 +22,12 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/metric/picture/lettering.h"
@@ -72,24 +75,23 @@ Result<void> write(const std::vector<std::string>& arguments) {
   return {};
 }
 
-const std::string kTraced = "--reference --samples " + std::to_string(kHiddenPaths);
-
 /// The row is without --bounces 1 until that is compared.
-Result<void> traceReference(const HiddenScene& scene) {
-  MIRRORBALL_TRY(reference, makePicture(scene, kTraced));
+Result<void> traceReference(const HiddenScene& scene, int paths) {
+  MIRRORBALL_TRY(reference, makePicture(scene, tracedBy(paths)));
   MIRRORBALL_TRY(noise, parseNoise(reference.printed));
   std::filesystem::create_directories(referencePath(scene.name).parent_path());
   MIRRORBALL_TRY_VOID(savePicture(referencePath(scene.name), pictureFromLinear(reference.image, 3)));
-  return setRow(referenceTablePath(), kReferenceColumns, scene.name, {noise, 0.0, 0.0});
+  return setRow(referenceTablePath(), kReferenceColumns, scene.name,
+                {double(paths), noise, kNotMeasured, kNotMeasured});
 }
 
-Result<void> compareOneBounce(const HiddenScene& scene) {
+Result<void> compareOneBounce(const HiddenScene& scene, int paths) {
   MIRRORBALL_TRY(reference, readReference(scene.name));
   MIRRORBALL_TRY(table, readNumberTable(referenceTablePath(), kReferenceColumns));
-  MIRRORBALL_TRY(one_bounce, makePicture(scene, kTraced + " --bounces 1"));
+  MIRRORBALL_TRY(one_bounce, makePicture(scene, tracedBy(paths) + " --bounces 1"));
   MIRRORBALL_TRY(error, findError(one_bounce.image, reference));
   return setRow(referenceTablePath(), kReferenceColumns, scene.name,
-                {table[scene.name].front(), error.flip, error.rmse});
+                {table[scene.name].at(kPathsColumn), table[scene.name].at(kNoiseColumn), error.flip, error.rmse});
 }
 
 Result<void> measure(const HiddenScene& scene) {
@@ -138,12 +140,13 @@ Result<void> run(const std::string& task, const std::vector<std::string>& argume
   if (task == "write") return write(arguments);
   if (task == "page") return writeHiddenPage();
   if (task == "sheet") return drawSheet(arguments);
-  MIRRORBALL_TRY(scenes, chooseScenes(arguments));
-  const auto all = [&](Result<void> (*each)(const HiddenScene&)) -> Result<void> {
-    for (const HiddenScene& scene : scenes) MIRRORBALL_TRY_VOID(each(scene));
+  const auto paths = arguments.empty() ? std::nullopt : parseNumber(arguments.front());
+  MIRRORBALL_TRY(scenes, chooseScenes({arguments.begin() + (paths ? 1 : 0), arguments.end()}));
+  const auto all = [&](const auto& each) -> Result<void> {
+    for (const HiddenScene& scene : scenes) MIRRORBALL_TRY_VOID(each(scene, static_cast<int>(paths.value_or(1024))));
     return {};
   };
-  if (task == "measure") return all(measure);
+  if (task == "measure") return all([](const HiddenScene& scene, int) { return measure(scene); });
   if (task == "one-bounce") return all(compareOneBounce);
   if (task == "trace") return all(traceReference);
   return fail(ErrorCode::usage, "'" + task + "' is not a task");
@@ -154,7 +157,8 @@ Result<void> run(const std::string& task, const std::vector<std::string>& argume
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: hidden_light write|trace|one-bounce|measure|page|sheet [FOLDER|FILE] [SCENE...]\n");
+    std::fprintf(stderr,
+                 "usage: hidden_light write|trace|one-bounce|measure|page|sheet [FOLDER|FILE|PATHS] [SCENE...]\n");
     return 2;
   }
   const auto ended = mirrorball::quality::run(argv[1], {argv + 2, argv + argc});

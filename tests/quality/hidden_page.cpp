@@ -15,8 +15,9 @@ namespace {
 constexpr std::string_view kBegin = "<!-- table made by hidden_light page -->\n";
 constexpr std::string_view kEnd = "<!-- end of the table -->\n";
 
-/// ".0312, .0456"
+/// "0.031, 0.046"; of what was not measured, "–"
 std::string written(double flip, double rmse) {
+  if (flip == kNotMeasured) return "–";
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), "%.3f, %.3f", flip, rmse);
   return text.data();
@@ -34,15 +35,15 @@ Result<std::string> writeRow(const Tables& tables, const std::string& name, std:
   const auto& reference = tables.references.at(name);
   const auto& first = tables.first.at(name);
   const auto& now = tables.now.at(name);
-  std::array<char, 16> noise{};
-  std::snprintf(noise.data(), noise.size(), "%.4f", reference[0]);
-  std::string row = "| " + name + " | " + noise.data() + " | " + written(reference[1], reference[2]);
+  std::array<char, 48> noise{};
+  std::snprintf(noise.data(), noise.size(), "%.0f, %.4f", reference[kPathsColumn], reference[kNoiseColumn]);
+  std::string row = "| " + name + " | " + noise.data() + " | " + written(reference[2], reference[3]);
   std::size_t sum = 0;
   const auto add = [&](double flip, double rmse) {
     sums.at(sum++) += flip;
     sums.at(sum++) += rmse;
   };
-  add(reference[1], reference[2]);
+  add(reference[2], reference[3]);
   for (const auto* const figures : {&first, &now})
     for (std::size_t quality = 0; quality < 3; ++quality) {
       row += " | " + written((*figures)[2 * quality], (*figures)[2 * quality + 1]);
@@ -53,7 +54,8 @@ Result<std::string> writeRow(const Tables& tables, const std::string& name, std:
 
 Result<std::string> writeTable(const Tables& tables) {
   std::string text =
-      "| scene | noise | `--bounces 1` | `draft` first | `good` first | `best` first | `draft` | `good` | `best` |\n"
+      "| scene | paths, noise | `--bounces 1` | `draft` first | `good` first | `best` first | `draft` | `good` | "
+      "`best` |\n"
       "| --- | --: | --: | --: | --: | --: | --: | --: | --: |\n";
   std::array<double, 14> sums{};
   for (const HiddenScene& scene : hiddenScenes()) {
@@ -61,8 +63,8 @@ Result<std::string> writeTable(const Tables& tables) {
     text += row;
   }
   const auto count = static_cast<double>(hiddenScenes().size());
-  text += "| mean | ";
-  for (std::size_t i = 0; i < sums.size(); i += 2) text += " | " + written(sums.at(i) / count, sums.at(i + 1) / count);
+  text += "| mean | | ";  // --bounces 1 is not measured of all
+  for (std::size_t i = 2; i < sums.size(); i += 2) text += " | " + written(sums.at(i) / count, sums.at(i + 1) / count);
   return text + " |\n";
 }
 

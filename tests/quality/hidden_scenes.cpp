@@ -1,5 +1,6 @@
 #include "quality/hidden_scenes.h"
 
+#include <algorithm>
 #include <array>
 
 #include "quality/hidden_makers.h"
@@ -55,6 +56,11 @@ constexpr auto kHiddenScenes = std::to_array<HiddenScene>({
 }  // namespace
 
 std::span<const HiddenScene> hiddenScenes() { return kHiddenScenes; }
+
+const HiddenScene& hiddenSceneNamed(std::string_view name) {
+  return *std::find_if(kHiddenScenes.begin(), kHiddenScenes.end(),
+                       [&](const auto& scene) { return scene.name == name; });
+}
 
 std::string shownBy(const HiddenScene& scene, const std::string& how) {
   return std::string(scene.shown) + " --size " + kHiddenSize + " " + how;

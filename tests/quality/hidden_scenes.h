@@ -4,6 +4,7 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/scene.h"
@@ -20,10 +21,11 @@ struct HiddenScene {
 
 /// Width and height of their pictures.
 inline constexpr const char* kHiddenSize = "160x120";
-/// Paths of each pixel of their references.
-inline constexpr int kHiddenPaths = 1024;
 
 std::span<const HiddenScene> hiddenScenes();
+
+/// The scene of that name, which must be among them.
+const HiddenScene& hiddenSceneNamed(std::string_view name);
 
 /// What follows `render` and the file of a scene.
 ///

@@ -20,7 +20,7 @@ constexpr float kLowSine = 0.2f;
 /// Of the sky above, what may be hidden: with the other share a tenth.
 constexpr float kMostHidden = 0.1f - kLowSine * kLowSine;
 /// Parts of a scene that cover more of the sky are looked at one by one. A box that covers less and rises higher than a
-/// low one does is no box around a surface that runs on from the place: it would be too near for that.
+/// low one does cannot hold a surface that runs on from the place, which would be nearer.
 constexpr float kSmallShare = 1.0f / 512.0f;
 /// What rounding may lift above a plane, over the size of the scene.
 constexpr float kRounding = 1e-5f;
@@ -138,8 +138,8 @@ bool HidingBound::isLow(const PlacedTriangle& viewer, const PlacedTriangle& othe
     if (heights[i] > rounding_ && heights[i] > kLowSine * glm::distance(corner, closestPoint(viewer.corners, corner)))
       return false;
   }
-  // Two that touch and of which one lies over the other, low as its corners are beyond it, are found out from that other
-  // one: the corners of the first are straight above it.
+  // Of two that touch, one may lie over the other although its corners, beyond it, are low. That is found from the one
+  // above, since the corners of the one below are straight in front of it.
   const float distance = distanceOfTriangles(viewer.corners, other.corners);
   return highest <= kLowSine * distance || distance <= rounding_;
 }

@@ -52,8 +52,8 @@ TEST(HidingBound, BodiesFarApartHideLittle) {
   EXPECT_FALSE(hides(apart(20.0f)));
 }
 
-// A card of a thousandth of the board's area lies over it, among so many triangles of a far-off ball that the card's are
-// not among the thousand that are asked.
+// A card of a thousandth of the board's area lies over it, among so many triangles of a far-off ball that the card's
+// are not among the thousand that are sampled.
 TEST(HidingBound, NoContactEscapes) {
   const glm::mat4 far_off = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, -50.0f, 0.0f));
   const Scene board = withInstance(meshScene(square(1.0f, 0.0f), Material{}), sphereMesh(60, 120), far_off);

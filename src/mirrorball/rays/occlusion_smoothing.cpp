@@ -30,8 +30,8 @@ float roundsUntil(float wanted_rays, std::size_t rays) {
   return std::clamp((wanted_rays / static_cast<float>(rays) - 1.0f) / kGainOfRound, 0.0f, kMostMeans);
 }
 
-/// How many rounds change little of what is true: so many spread what is known over their square root times the distance
-/// of neighbours. The share s of the sky that something at the distance d hides curves by about s / d².
+/// How many rounds change little of what is true: so many spread what is known over their square root times the
+/// distance of neighbours. The share s of the sky that something at the distance d hides curves by about s / d².
 float harmlessRounds(const VertexPatches& patches, std::size_t patch, std::span<const VertexOcclusion> found,
                      std::span<const float> nearness) {
   float between = 0.0f, near = nearness[patch], hidden = 1.0f - found[patch].open, neighbours = 0.0f;
@@ -95,13 +95,13 @@ void smoothOcclusion(const VertexPatches& patches, std::span<const std::size_t> 
   for (int round = 0; static_cast<float>(round) < most; ++round) {
     parallelFor(found.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const auto shareOf = [&](float until) { return std::clamp(until - static_cast<float>(round), 0.0f, 1.0f); };
-        const float share = shareOf(rounds[i]);
+        const auto mixShare = [&](float until) { return std::clamp(until - static_cast<float>(round), 0.0f, 1.0f); };
+        const float share = mixShare(rounds[i]);
         next[i] = found[i];
         if (share == 0.0f) continue;
         const VertexOcclusion mean = meanWithNeighbours(patches, found, i);
         next[i] = between(found[i], mean, share);
-        const float of_emission = std::min(share, shareOf(roundsUntil(kEnoughForEmission, rays[i])));
+        const float of_emission = std::min(share, mixShare(roundsUntil(kEnoughForEmission, rays[i])));
         next[i].emitted = glm::mix(found[i].emitted, mean.emitted, of_emission);
       }
     });

@@ -128,9 +128,9 @@ class Finder {
 
   std::vector<double> areasOfPatches() const;
   std::vector<std::size_t> firstRays(const SceneOcclusionSettings& settings) const;
-  std::size_t raysOf(std::size_t patch) const { return first_ray_[patch + 1] - first_ray_[patch]; }
+  std::size_t rayCount(std::size_t patch) const { return first_ray_[patch + 1] - first_ray_[patch]; }
   void tracePatch(std::size_t patch);
-  std::vector<PatchCorner> cornersOf(std::size_t patch) const;
+  std::vector<PatchCorner> patchCorners(std::size_t patch) const;
   VertexOcclusion between(std::span<const PatchWeight> weights) const;
   Hider hiderAt(const Hit& hit, glm::vec3 direction) const;
   glm::vec3 emittedTowards(glm::vec3 normal, glm::vec3 direction, const Hit& hit, std::size_t rays) const;
@@ -159,9 +159,9 @@ Hider Finder::hiderAt(const Hit& hit, glm::vec3 direction) const {
   const glm::vec2 b = hit.barycentric;
   const float first = 1.0f - b.x - b.y;
   const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
-  const std::uint32_t front = places_.vertexOf(hit.instance, mesh.indices[std::size_t{3} * hit.triangle + corner]);
+  const std::uint32_t front = places_.vertexNumber(hit.instance, mesh.indices[std::size_t{3} * hit.triangle + corner]);
   const glm::vec3 outwards = places_.outwardNormal(hit.instance, hit.triangle, hit.geometric_normal);
-  return {patches_.patch(glm::dot(outwards, direction) > 0.0f ? places_.backOf(front) : front),
+  return {patches_.patch(glm::dot(outwards, direction) > 0.0f ? places_.backNumber(front) : front),
           first_triangle_[hit.instance] + hit.triangle};
 }
 
@@ -201,9 +201,9 @@ std::vector<double> Finder::areasOfPatches() const {
       const double area = glm::length(glm::cross(glm::dvec3(corners[1]) - first, glm::dvec3(corners[2]) - first));
       if (!std::isfinite(area)) continue;
       for (std::size_t corner = i; corner < i + 3; ++corner) {
-        const std::uint32_t front = places_.vertexOf(instance, indices[corner]);
+        const std::uint32_t front = places_.vertexNumber(instance, indices[corner]);
         areas[patches_.patch(front)] += area / 6.0;
-        if (has_back_[instance] != 0) areas[patches_.patch(places_.backOf(front))] += area / 6.0;
+        if (has_back_[instance] != 0) areas[patches_.patch(places_.backNumber(front))] += area / 6.0;
       }
     }
   }
@@ -219,7 +219,7 @@ std::vector<std::size_t> Finder::firstRays(const SceneOcclusionSettings& setting
   return first;
 }
 
-std::vector<PatchCorner> Finder::cornersOf(std::size_t patch) const {
+std::vector<PatchCorner> Finder::patchCorners(std::size_t patch) const {
   std::vector<PatchCorner> corners;
   for (const std::uint32_t vertex : patches_.vertices(patch))
     for (std::size_t triangle = 0; triangle < places_.triangles(vertex); ++triangle)
@@ -231,7 +231,7 @@ std::vector<PatchCorner> Finder::cornersOf(std::size_t patch) const {
 glm::vec3 Finder::emittedTo(std::size_t patch, std::span<const PatchCorner> corners) const {
   glm::vec3 sum(0.0f);
   if (emissive_.empty()) return sum;
-  const std::uint32_t places = placesOfEmission(raysOf(patch));
+  const std::uint32_t places = placesOfEmission(rayCount(patch));
   const std::uint32_t number = mixed(~static_cast<std::uint32_t>(patch), 0);  // other numbers than the rays have
   const glm::vec2 from = sharesOf(number);
   for (std::uint32_t i = 0; i < places; ++i) {
@@ -248,18 +248,18 @@ glm::vec3 Finder::emittedTo(std::size_t patch, std::span<const PatchCorner> corn
     if (!(cosine > 0.0f) || glm::dot(place.geometric_normal, direction) <= 0.0f) continue;
     const std::optional<Hit> met = hidingHit(scene_, geometry_, origin, direction, mixed(~random, 0));
     if (!met || met->instance != lamp.hit.instance || met->triangle != lamp.hit.triangle) continue;
-    sum += shareOfSample(cosine, direction, lamp.hit, lamp.density, raysOf(patch)) * emissive_.emission(lamp.hit);
+    sum += shareOfSample(cosine, direction, lamp.hit, lamp.density, rayCount(patch)) * emissive_.emission(lamp.hit);
   }
   return sum;
 }
 
 void Finder::tracePatch(std::size_t patch) {
-  const std::vector<PatchCorner> corners = cornersOf(patch);
+  const std::vector<PatchCorner> corners = patchCorners(patch);
   if (corners.empty()) return;
   VertexOcclusion& found = found_[patch];
   const auto number = static_cast<std::uint32_t>(patch);
   const glm::vec2 from = sharesOf(mixed(number, 0));
-  const std::size_t rays = raysOf(patch);
+  const std::size_t rays = rayCount(patch);
   std::size_t open = 0;
   for (std::size_t ray = 0; ray < rays; ++ray) {
     const std::uint32_t random = mixed(number, static_cast<std::uint32_t>(ray) + 1);
@@ -341,7 +341,7 @@ Finder::Lit Finder::litOnceMore(std::size_t patch, const std::vector<Lit>& lit) 
     lit_from += formula::luminance(albedo * there.by_sky) / formula::luminance(there.by_sky + 1e-6f) * there.lit_from;
     emitted += albedo * there.by_emission;
   }
-  const auto rays = static_cast<float>(raysOf(patch));
+  const auto rays = static_cast<float>(rayCount(patch));
   found.interreflected = interreflected / rays;
   found.lit_from = lit_from / rays;
   found.emitted = emitted_[patch] + emitted / rays;
@@ -391,7 +391,7 @@ VertexOcclusion Finder::between(std::span<const PatchWeight> weights) const {
 /// From patches to vertices, without the noise of their rays.
 void Finder::spread() {
   std::vector<std::size_t> rays;
-  for (std::size_t patch = 0; patch < patches_.size(); ++patch) rays.push_back(raysOf(patch));
+  for (std::size_t patch = 0; patch < patches_.size(); ++patch) rays.push_back(rayCount(patch));
   smoothOcclusion(patches_, rays, nearness_, found_);
   std::vector<VertexOcclusion> of_vertices(places_.size());
   parallelFor(of_vertices.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -414,7 +414,7 @@ void Finder::give(Scene& scene) const {
     const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)]->vertices.size();
     instance.vertex_materials.resize(materials_.empty() ? 0 : vertices);
     for (std::size_t v = 0; v < instance.vertex_materials.size(); ++v)
-      instance.vertex_materials[v] = materials_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];
+      instance.vertex_materials[v] = materials_[places_.vertexNumber(i, static_cast<std::uint32_t>(v))];
     giveSides(i, instance);
   }
 }
@@ -427,9 +427,9 @@ void Finder::giveSides(std::size_t number, Instance& instance) const {
   const bool has_back = has_back_[number] != 0;
   instance.occlusion.resize(has_back ? 2 * vertices : vertices);
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    const std::uint32_t front = places_.vertexOf(number, v);
+    const std::uint32_t front = places_.vertexNumber(number, v);
     instance.occlusion[v] = found_[front];
-    if (has_back) instance.occlusion[vertices + v] = found_[places_.backOf(front)];
+    if (has_back) instance.occlusion[vertices + v] = found_[places_.backNumber(front)];
   }
   if (!has_back) return;
   std::vector<std::uint8_t> is_turned(vertices, 0);

@@ -373,8 +373,8 @@ TEST(SceneOcclusion, AFinelyCutBallKnowsWhatACoarseOneDoes) {
   const std::vector<Vertex>& vertices = fine.meshes[0]->vertices;
   const std::vector<VertexOcclusion>& occlusion = fine.instances[0].occlusion;
   ASSERT_GT(vertices.size(), 80'000u);
-  // Of a ball of radius 1 at the distance d from a place of another, its middle at the angle a from the normal and whole
-  // above the horizon: cos a / d².
+  // A ball of radius 1 whose middle lies at the distance d, at the angle a from the normal, and that is all above the
+  // horizon hides cos a / d².
   std::vector<float> errors(vertices.size(), NAN);
   double square = 0.0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -52,7 +52,7 @@ std::vector<VertexMaterial> materialsOfVertices(const Scene& scene, const Vertex
     const std::vector<std::uint32_t>& indices = scene.meshes[std::size_t(scene.instances[instance].mesh)]->indices;
     const std::vector<VertexMaterial> of_triangles = materialsOfTriangles(scene, world_from_normal, instance);
     for (std::size_t i = 0; i < 3 * of_triangles.size(); ++i) {
-      const std::uint32_t vertex = places.vertexOf(instance, indices[i]);
+      const std::uint32_t vertex = places.vertexNumber(instance, indices[i]);
       addTo(sums[vertex], of_triangles[i / 3]);
       counts[vertex] += 1.0f;
     }

@@ -144,11 +144,11 @@ SortedVertices VertexGrid::sorted(std::size_t most) const {
   return fits;
 }
 
-std::vector<Side> sidesOf(const Scene& scene, const VertexPlaces& places) {
+std::vector<Side> instanceSides(const Scene& scene, const VertexPlaces& places) {
   std::vector<Side> sides;
   for (const bool is_back : {false, true})
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-      const auto [first, count] = places.verticesOf(i, is_back);
+      const auto [first, count] = places.sideRange(i, is_back);
       if (count > 0) sides.push_back({i, first, count});
     }
   return sides;
@@ -171,15 +171,15 @@ float weightAt(glm::vec3 place, float cosine) {
 }
 
 /// The triangles of an instance by the numbers of its vertices on one side, counted from that side's first.
-std::vector<std::array<std::uint32_t, 3>> trianglesOf(const Scene& scene, const VertexPlaces& places,
-                                                      const Side& side) {
-  const std::uint32_t first_front = places.verticesOf(side.instance, false).first;
+std::vector<std::array<std::uint32_t, 3>> sideTriangles(const Scene& scene, const VertexPlaces& places,
+                                                        const Side& side) {
+  const std::uint32_t first_front = places.sideRange(side.instance, false).first;
   const std::vector<std::uint32_t>& indices = scene.meshes[std::size_t(scene.instances[side.instance].mesh)]->indices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-    triangles.push_back({places.vertexOf(side.instance, indices[i]) - first_front,
-                         places.vertexOf(side.instance, indices[i + 1]) - first_front,
-                         places.vertexOf(side.instance, indices[i + 2]) - first_front});
+    triangles.push_back({places.vertexNumber(side.instance, indices[i]) - first_front,
+                         places.vertexNumber(side.instance, indices[i + 1]) - first_front,
+                         places.vertexNumber(side.instance, indices[i + 2]) - first_front});
   return triangles;
 }
 
@@ -187,7 +187,7 @@ std::vector<std::array<std::uint32_t, 3>> trianglesOf(const Scene& scene, const 
 
 VertexPatches::VertexPatches(const Scene& scene, const VertexPlaces& places, std::size_t most)
     : places_(places), patches_(places.size()) {
-  const std::vector<Side> sides = sidesOf(scene, places);
+  const std::vector<Side> sides = instanceSides(scene, places);
   const std::size_t of_side = patchesOfSide(sides, most);
   std::vector<SortedVertices> sorted(sides.size());
   parallelFor(sides.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -195,7 +195,7 @@ VertexPatches::VertexPatches(const Scene& scene, const VertexPlaces& places, std
       sorted[i] =
           sides[i].count <= of_side
               ? eachAlone(sides[i].count)
-              : VertexGrid(places, sides[i], connectedParts(trianglesOf(scene, places, sides[i]), sides[i].count))
+              : VertexGrid(places, sides[i], connectedParts(sideTriangles(scene, places, sides[i]), sides[i].count))
                     .sorted(of_side);
   });
   std::vector<std::uint32_t> together;
@@ -237,8 +237,8 @@ void VertexPatches::addPatch(float cell_size) {
 
 void VertexPatches::findNeighbours(const Scene& scene) {
   std::vector<std::vector<std::uint32_t>> beside(size());
-  for (const Side& side : sidesOf(scene, places_))
-    for (const auto& triangle : trianglesOf(scene, places_, side))
+  for (const Side& side : instanceSides(scene, places_))
+    for (const auto& triangle : sideTriangles(scene, places_, side))
       for (const std::uint32_t a : triangle)
         for (const std::uint32_t b : triangle)
           if (patch(side.first + a) != patch(side.first + b))

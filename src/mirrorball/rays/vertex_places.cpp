@@ -90,19 +90,19 @@ glm::vec3 VertexPlaces::outwardNormal(std::size_t instance, std::size_t triangle
   const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[instance].mesh)];
   glm::vec3 normals(0.0f);
   for (std::size_t i = 3 * triangle; i < 3 * triangle + 3; ++i)
-    normals += normals_[vertexOf(instance, mesh.indices[i])];
+    normals += normals_[vertexNumber(instance, mesh.indices[i])];
   return facingOutwards(geometric_normal, normals);
 }
 
 glm::vec3 VertexPlaces::position(std::size_t vertex) const {
-  const std::size_t front = frontOf(vertex);
+  const std::size_t front = frontNumber(vertex);
   if (first_[front] == first_[front + 1]) return glm::vec3(NAN);
   const Corner& corner = corners_[first_[front]];
   return cornerOf(scene_, corner.instance, corner.index);
 }
 
 PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const {
-  const Corner& corner = corners_[first_[frontOf(vertex)] + triangle];
+  const Corner& corner = corners_[first_[frontNumber(vertex)] + triangle];
   const auto [a, b, c] = cornersFrom(scene_, corner.instance, corner.index);
   const glm::vec2 weights = kFarthestAway * away;
   const glm::vec3 outwards =

@@ -56,14 +56,16 @@ class VertexPlaces {
   /// How many different vertices there are in all instances.
   std::size_t size() const { return normals_.size() + fronts_.size(); }
   /// World, unit; 0 where the vertex has none.
-  glm::vec3 normal(std::size_t vertex) const { return isBack(vertex) ? -normals_[frontOf(vertex)] : normals_[vertex]; }
+  glm::vec3 normal(std::size_t vertex) const {
+    return isBack(vertex) ? -normals_[frontNumber(vertex)] : normals_[vertex];
+  }
   /// World; not a number where it has no triangles.
   glm::vec3 position(std::size_t vertex) const;
   /// The numbers of an instance's vertices on one side: of the backs, none where they are those of the fronts.
-  Range verticesOf(std::size_t instance, bool is_back) const { return ranges_[is_back ? 1 : 0][instance]; }
+  Range sideRange(std::size_t instance, bool is_back) const { return ranges_[is_back ? 1 : 0][instance]; }
   /// Triangles of some area around it.
   std::size_t triangles(std::size_t vertex) const {
-    const std::size_t front = frontOf(vertex);
+    const std::size_t front = frontNumber(vertex);
     return first_[front + 1] - first_[front];
   }
   /// On one of its triangles.
@@ -72,11 +74,11 @@ class VertexPlaces {
   PlaceByVertex place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const;
 
   /// The number of a mesh's vertex in an instance, on the side of its normal.
-  std::uint32_t vertexOf(std::size_t instance, std::uint32_t of_mesh) const { return numbers_[instance][of_mesh]; }
+  std::uint32_t vertexNumber(std::size_t instance, std::uint32_t of_mesh) const { return numbers_[instance][of_mesh]; }
   /// That of its back; of a vertex that has none, its own.
   ///
   /// vertex   on the side of its normal
-  std::uint32_t backOf(std::uint32_t vertex) const { return backs_[vertex]; }
+  std::uint32_t backNumber(std::uint32_t vertex) const { return backs_[vertex]; }
   /// A triangle's normal, as facingOutwards.
   ///
   /// geometric_normal   unit, on the counter-clockwise side
@@ -85,7 +87,9 @@ class VertexPlaces {
  private:
   void add(const Scene& scene, std::size_t instance);
   bool isBack(std::size_t vertex) const { return vertex >= normals_.size(); }
-  std::size_t frontOf(std::size_t vertex) const { return isBack(vertex) ? fronts_[vertex - normals_.size()] : vertex; }
+  std::size_t frontNumber(std::size_t vertex) const {
+    return isBack(vertex) ? fronts_[vertex - normals_.size()] : vertex;
+  }
 
   struct Corner {
     std::uint32_t instance;
@@ -97,7 +101,7 @@ class VertexPlaces {
   std::vector<std::uint32_t> first_;  // of each vertex's corners, and the end
   std::vector<Corner> corners_;
   std::array<std::vector<Range>, 2> ranges_;  // of each instance's fronts, and of its backs
-  std::vector<std::uint32_t> backs_;          // of each vertex, backOf
+  std::vector<std::uint32_t> backs_;          // of each vertex, backNumber
   std::vector<std::uint32_t> fronts_;         // of each back, its vertex
 };
 

@@ -187,13 +187,14 @@ float belowSquare(float floor_half_side, const Material& above, int samples = 64
   return tracer->render(camera, settings)->radiance.texel(12, 13)[1];
 }
 
-// A square blocks light, whichever of its sides the light comes to, and however large the floor is that it stands over.
+// A square blocks light on its way to a floor below it, however large the floor is; one that has only a front, which faces
+// away from the floor, blocks none (glTF: its back is culled).
 TEST(PathTracer, WhatIsInTheWayCastsAShadow) {
   Material two_sided = matt(0.8f);
   two_sided.double_sided = true;
   const float expected = belowSquare(10.0f, two_sided);
   EXPECT_LT(expected, 0.4f);
-  EXPECT_NEAR(belowSquare(10.0f, matt(0.8f)), expected, 0.05f) << "of one side";
+  EXPECT_NEAR(belowSquare(10.0f, matt(0.8f)), 0.8f, 0.02f) << "of one side";
   EXPECT_NEAR(belowSquare(1e6f, two_sided), expected, 0.05f) << "over a large floor";
 }
 

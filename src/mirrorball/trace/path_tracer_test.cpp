@@ -187,8 +187,8 @@ float belowSquare(float floor_half_side, const Material& above, int samples = 64
   return tracer->render(camera, settings)->radiance.texel(12, 13)[1];
 }
 
-// A square blocks light on its way to a floor below it, however large the floor is; one that has only a front, which faces
-// away from the floor, blocks none (glTF: its back is culled).
+// A square blocks light on its way to a floor below it, however large the floor is; one that has only a front, which
+// faces away from the floor, blocks none (glTF: its back is culled).
 TEST(PathTracer, WhatIsInTheWayCastsAShadow) {
   Material two_sided = matt(0.8f);
   two_sided.double_sided = true;

@@ -101,6 +101,7 @@ class HidingBound {
 
   std::vector<PlacedTriangle> triangles_;
   std::vector<std::uint8_t> shows_back_;  // of each triangle
+  std::vector<std::uint32_t> hiders_;     // the triangles that the tree has, by its items
   BoxTree tree_;
   float rounding_ = 0.0f;
 };
@@ -117,8 +118,10 @@ HidingBound::HidingBound(const Scene& scene, std::span<const std::uint8_t> shows
       if (!isFinite(box.low) || !isFinite(box.high) || placed.geometric_normal == glm::vec3(0.0f)) continue;
       triangles_.push_back(placed);
       shows_back_.push_back(shows_back[i]);
-      boxes.push_back(box);
       all.include(box);
+      if (scene.materials[std::size_t(mesh.material)].transmission >= 1.0f) continue;  // hidingHit passes it
+      hiders_.push_back(static_cast<std::uint32_t>(triangles_.size() - 1));
+      boxes.push_back(box);
     }
   }
   if (boxes.empty()) return;
@@ -166,7 +169,7 @@ bool HidingBound::mayHideMuch(const PlacedTriangle& viewer) const {
       for (const BoxTree::Child& child : tree_.nodes[part.first].children) waiting[count++] = child;
     } else {
       for (std::uint32_t i = 0; i < part.count; ++i) {
-        const PlacedTriangle& other = triangles_[tree_.items[part.first + i]];
+        const PlacedTriangle& other = triangles_[hiders_[tree_.items[part.first + i]]];
         if (!isLow(viewer, other)) hidden += coveredShare(around, ballAround(boxAround(other.corners)));
       }
       if (hidden > kMostHidden) return true;
@@ -176,6 +179,7 @@ bool HidingBound::mayHideMuch(const PlacedTriangle& viewer) const {
 }
 
 bool HidingBound::isLittle() const {
+  if (hiders_.empty()) return true;
   std::atomic<bool> is_little = true;
   parallelFor(triangles_.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && is_little; ++i)

@@ -61,6 +61,17 @@ TEST(HidingBound, NoContactEscapes) {
   EXPECT_TRUE(hides(withInstance(board, square(0.03f, 0.005f), glm::mat4(1.0f), true)));
 }
 
+TEST(HidingBound, GlassHidesNothing) {
+  const auto balls = [](float transmission) {
+    Scene scene = withInstance(meshScene(sphereMesh(24, 48), Material{}), sphereMesh(24, 48),
+                               glm::translate(glm::mat4(1.0f), glm::vec3(2.2f, 0.0f, 0.0f)));
+    for (Material& material : scene.materials) material.transmission = transmission;
+    return scene;
+  };
+  EXPECT_FALSE(hides(balls(1.0f)));
+  EXPECT_TRUE(hides(balls(0.5f)));
+}
+
 // A shallow dish, whose rim is seen 5° above the plane of its middle, and a deep one.
 TEST(HidingBound, AShallowDishHidesLittle) {
   const auto dish = [](float depth) {

@@ -20,7 +20,7 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
 glm::vec2 sharesOf(std::uint32_t bits) { return glm::vec2(bits & 0xFFFFu, bits >> 16u) / 65536.0f; }
 
 bool isCulled(const Material& material, const Hit& hit, glm::vec3 direction) {
-  return !material.double_sided && material.transmission <= 0.0f && glm::dot(direction, hit.geometric_normal) > 0.0f;
+  return !material.double_sided && !isBody(material) && glm::dot(direction, hit.geometric_normal) > 0.0f;
 }
 
 std::optional<Hit> hidingHit(const Scene& scene, const Geometry& geometry, glm::vec3 origin, glm::vec3 direction,

@@ -23,7 +23,9 @@ constexpr float kMostHidden = 0.1f - kLowSine * kLowSine;
 /// low one does cannot hold a surface that runs on from the place, which would be nearer.
 constexpr float kSmallShare = 1.0f / 512.0f;
 /// What rounding may lift above a plane, over the size of the scene.
-constexpr float kRounding = 1e-5f;
+constexpr float kRounding = 1e-6f;
+/// Triangles that one is compared with, after which it may hide much: fans and strips of many long ones.
+constexpr std::size_t kMostCompared = 1 << 16;
 constexpr std::uint32_t kTrianglesOfLeaf = 4;
 constexpr int kLongestWay = 64;
 
@@ -138,7 +140,8 @@ bool HidingBound::isLow(const PlacedTriangle& viewer, const PlacedTriangle& othe
   if (highest <= rounding_) return true;
   for (int i = 0; i < 3; ++i) {
     const glm::vec3 corner = other.corners[std::size_t(i)];
-    if (heights[i] > rounding_ && heights[i] > kLowSine * glm::distance(corner, closestPoint(viewer.corners, corner)))
+    if (heights[i] > rounding_ &&
+        !(heights[i] <= kLowSine * glm::distance(corner, closestPoint(viewer.corners, corner))))
       return false;
   }
   // Of two that touch, one may lie over the other although its corners, beyond it, are low. That is found from the one
@@ -152,6 +155,7 @@ bool HidingBound::mayHideMuch(const PlacedTriangle& viewer) const {
   float hidden = 0.0f;
   std::array<BoxTree::Child, kLongestWay + 2> waiting;
   std::size_t count = 0;
+  std::size_t compared = 0;
   waiting[count++] = tree_.root;
   while (count > 0) {
     const BoxTree::Child part = waiting[--count];
@@ -169,6 +173,7 @@ bool HidingBound::mayHideMuch(const PlacedTriangle& viewer) const {
       for (const BoxTree::Child& child : tree_.nodes[part.first].children) waiting[count++] = child;
     } else {
       for (std::uint32_t i = 0; i < part.count; ++i) {
+        if (++compared > kMostCompared) return true;
         const PlacedTriangle& other = triangles_[hiders_[tree_.items[part.first + i]]];
         if (!isLow(viewer, other)) hidden += coveredShare(around, ballAround(boxAround(other.corners)));
       }

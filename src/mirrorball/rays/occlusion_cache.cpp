@@ -32,6 +32,7 @@ void addMaterial(const Material& material, const SceneOcclusionSettings& setting
   hash.add(material.alpha_mode);
   hash.add(material.unlit);
   hash.add(material.double_sided);
+  hash.add(material.thin_walled);  // with the transmission it says whether a back is culled
   for (const TextureSlot* slot : slotsOf(material, settings)) {
     hash.add(slot->texture);
     if (slot->texture < 0) continue;  // what such a slot holds besides is not read

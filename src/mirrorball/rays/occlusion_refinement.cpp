@@ -125,7 +125,7 @@ bool Refiner::differs(const PlacedTriangle& placed) const {
   // What hides the share s of the sky at the distance d changes over that distance, and faster the more it hides.
   const auto isNear = [&](const SeenScene& seen) {
     const float hidden = 1.0f - seen.open;
-    return seen.nearness * placed.longest_edge > kMostOfDistance * std::max(std::sqrt(hidden), hidden);
+    return seen.nearness * placed.longest_edge > kMostOfDistance * std::sqrt(hidden);
   };
   std::array<SeenScene, 3> seen;
   for (int i = 0; i < 3; ++i) {

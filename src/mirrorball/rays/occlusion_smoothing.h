@@ -12,8 +12,8 @@ namespace mirrorball {
 /// Adds what is known of one place, so many times, to a sum.
 void addTo(VertexOcclusion& sum, const VertexOcclusion& each, float times);
 
-/// Takes the noise of few rays from what patches know, by means with those beside them: the more often the farther away
-/// is what they see, since what they know then changes slowly, and the fewer rays they have.
+/// Removes the noise of few rays from what patches know, by means with those beside them: the more often the farther
+/// away is what they see, since what they know then changes slowly, and the fewer rays they have.
 ///
 /// rays       from each patch
 /// nearness   of each patch the mean of 1 over the distance of what its rays meet, where they meet nothing 0

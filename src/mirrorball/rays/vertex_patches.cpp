@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "mirrorball/base/parallel.h"
@@ -14,7 +15,9 @@ namespace {
 constexpr std::size_t kFewestPatches = 48;  // of one side of an instance
 /// As far as a patch counts, in sizes of its cell: the middle of a cell is nearer than that from anywhere in it.
 constexpr float kReach = 1.5f;
-/// Of so many patches at most, by their numbers.
+/// Both ends of the diagonal of a cell and what is reached from there.
+constexpr float kFarthestNear = kReach + 1.7321f;
+/// At most this many patches, the lowest numbers first.
 constexpr std::size_t kMostNear = 64;
 /// How much the plane through patches is held level, so that it is one where they lie in a line, too.
 constexpr float kStiffness = 0.02f;
@@ -235,14 +238,22 @@ void VertexPatches::addPatch(float cell_size) {
   sizes_.push_back(cell_size);
 }
 
+/// Patches whose triangles have no area know nothing, so they have no neighbours.
 void VertexPatches::findNeighbours(const Scene& scene) {
+  std::vector<std::uint8_t> has_area(size());
+  for (std::uint32_t i = 0; i < has_area.size(); ++i) {
+    const auto vertices = vertices_.of(i);
+    has_area[i] =
+        std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return places_.triangles(v) > 0; }) ? 1 : 0;
+  }
   std::vector<std::vector<std::uint32_t>> beside(size());
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    if (a != b && has_area[a] != 0 && has_area[b] != 0) beside[a].push_back(b);
+  };
   for (const Side& side : instanceSides(scene, places_))
     for (const auto& triangle : sideTriangles(scene, places_, side))
       for (const std::uint32_t a : triangle)
-        for (const std::uint32_t b : triangle)
-          if (patch(side.first + a) != patch(side.first + b))
-            beside[patch(side.first + a)].push_back(patch(side.first + b));
+        for (const std::uint32_t b : triangle) join(patch(side.first + a), patch(side.first + b));
   parallelFor(beside.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) makeUnique(beside[i]);
   });
@@ -254,7 +265,11 @@ void VertexPatches::findNeighbours(const Scene& scene) {
       near.push_back(i);
       for (const std::uint32_t next : beside[i]) {
         near.push_back(next);
-        near.insert(near.end(), beside[next].begin(), beside[next].end());
+        // Those farther away count nowhere in the patch.
+        const auto isInReach = [&](std::uint32_t other) {
+          return glm::distance(centers_[i], centers_[other]) <= kFarthestNear * sizes_[i];
+        };
+        std::copy_if(beside[next].begin(), beside[next].end(), std::back_inserter(near), isInReach);
       }
       makeUnique(near);
     }

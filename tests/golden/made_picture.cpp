@@ -1,41 +1,18 @@
 #include "golden/made_picture.h"
 
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
-#include <gtest/gtest.h>
-
 #include "cli/program.h"
+#include "fresh_folder.h"
 #include "golden/golden_picture.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/metric/comparison.h"
 
 namespace mirrorball::golden {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that nobody else has, removed with all that is in it.
-class FreshFolder {
- public:
-  FreshFolder() {
-    std::string name = ::testing::TempDir() + "mirrorball_golden_XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": no folder can be made here");
-    path_ = name;
-  }
-  FreshFolder(const FreshFolder&) = delete;
-  FreshFolder& operator=(const FreshFolder&) = delete;
-  ~FreshFolder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 Result<Bytes> pictureMadeBy(const std::string& command) {
   const FreshFolder folder;

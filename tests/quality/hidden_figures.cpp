@@ -1,9 +1,9 @@
 #include "quality/hidden_figures.h"
 
 #include <cstdlib>
-#include <stdexcept>
 
 #include "cli/program.h"
+#include "fresh_folder.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
@@ -17,23 +17,6 @@ namespace fs = std::filesystem;
 
 fs::path sourceFolder() { return fs::path(MIRRORBALL_SOURCE_DIR) / "tests/quality"; }
 
-/// A folder that nobody else has, removed with all that is in it.
-class OwnFolder {
- public:
-  OwnFolder() {
-    std::string name = (fs::temp_directory_path() / "mirrorball_hidden_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": no folder can be made here");
-    path_ = name;
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  ~OwnFolder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 Result<Image> readPicture(const fs::path& file) {
   MIRRORBALL_TRY(bytes, readFile(file));
   MIRRORBALL_TRY(decoded, decodeImage(bytes));
@@ -43,7 +26,7 @@ Result<Image> readPicture(const fs::path& file) {
 }  // namespace
 
 Result<MadePicture> makePicture(const HiddenScene& scene, const std::string& how) {
-  const OwnFolder folder;
+  const FreshFolder folder;
   MIRRORBALL_TRY(file, writeGlb(scene.make(), scene.name, folder.path()));
   const fs::path picture = folder.path() / "picture.png", log = folder.path() / "log";
   // By the shell and not testing::Program, which ends what takes longer than two minutes: many paths do.
